@@ -1,0 +1,351 @@
+/* emtr: global registration of two partially overlapping point clouds by EMTR-SSC.
+ *
+ * The C API, and the one ABI that is promised. Plain structs and pointers, C99.
+ *
+ * Direction: every transformation maps SOURCE into TARGET, q = R p + t, as a 4x4 row-major
+ * array of double in the user's own unit.
+ * Method: Wu et al., "Evolutionary Multitasking with Solution Space Cutting for Point Cloud
+ * Registration", IEEE Transactions on Emerging Topics in Computational Intelligence, 2023.
+ * Threads: all functions may be called from many threads at once, on separate objects.
+ * The library writes nothing to standard output or standard error. */
+#ifndef EMTR_EMTR_H
+#define EMTR_EMTR_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define EMTR_VERSION_MAJOR 0
+#define EMTR_VERSION_MINOR 1
+#define EMTR_VERSION_PATCH 0
+
+#if defined(_WIN32)
+#define EMTR_API
+#else
+#define EMTR_API __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- errors ------------------------------------------------------------------------- */
+
+typedef enum emtr_status {
+  EMTR_OK = 0,
+  EMTR_ERROR_ARGUMENT = 1, /* a null pointer, a wrong size field, a bad stride or type */
+  EMTR_ERROR_SETTING = 2,  /* an unknown setting, a value out of range, a contradiction */
+  EMTR_ERROR_CLOUD = 3,    /* a cloud that cannot be registered: too few points, no extent */
+  EMTR_ERROR_MEMORY = 4,   /* an allocation failed */
+  EMTR_ERROR_INTERNAL = 5  /* a defect of the library or of what it is built on */
+} emtr_status;
+
+/* What a status means in general, in a few words. Never null. */
+EMTR_API const char* emtr_status_text(emtr_status status);
+
+/* What went wrong in the last failed call of this thread: names the cloud, the argument or
+ * the setting and what was expected. Never null; empty when nothing has failed. */
+EMTR_API const char* emtr_error_message(void);
+
+/* The library's version, as "major.minor.patch". */
+EMTR_API const char* emtr_version(void);
+
+/* ---- settings ----------------------------------------------------------------------- */
+
+/* Each field has the name that the shell and Python use. Lengths are never in the user's
+ * unit: they are multiples of a leaf, of the resolution, or of the normalised frame, in
+ * which both clouds are centred and the larger one has radius 1.
+ * emtr_setting_describe() gives unit, range, default and meaning of each. */
+typedef struct emtr_settings {
+  size_t size;   /* sizeof(emtr_settings), set by emtr_settings_init() */
+  uint64_t seed; /* any; the same seed gives the same bits */
+  int32_t threads; /* 0: as many as the machine has; the result does not depend on it */
+
+  /* densities (section III-F) */
+  int32_t dense_points;        /* both dense clouds together */
+  int32_t sparse_points;       /* the sparse source cloud */
+  double minimum_leaf_spacing; /* dense leaf >= this many point spacings */
+
+  /* features and matches (III-B) */
+  double normal_radius;  /* dense leaves */
+  double feature_radius; /* dense leaves */
+  int32_t max_tims;      /* cap on pairs of correspondences */
+
+  /* task beta (III-B) */
+  double tau_factor;       /* tau / mean resolution of the feature clouds */
+  double inlier_threshold; /* in tau */
+  double outlier_penalty;  /* eta, in tau */
+
+  /* task alpha (III-C) */
+  double scale_sparse; /* c of the S stage, sparse leaves */
+  double scale_dense;  /* c of the D stage, dense leaves */
+  double translation_bound; /* half the side of the box, normalised frame */
+
+  /* swarm */
+  int32_t population; /* particles of each task */
+  int32_t iterations; /* MaxIt */
+  double inertia_start;
+  double inertia_end;
+  double cognitive; /* c1 */
+  double social;    /* c2 */
+  double velocity_limit; /* share of each gene's range */
+
+  /* knowledge transfer (III-D) and complement (III-E, Algorithm 2) */
+  int32_t transfer; /* 0: the tasks do not talk (ablation) */
+  double transfer_probability; /* rmp */
+  double lambda_alpha_start;
+  double lambda_alpha_end;
+  double lambda_beta_start;
+  double lambda_beta_end;
+  int32_t complement; /* 0: alpha keeps its own translation (ablation) */
+  int32_t complement_iterations; /* MaxIt_KC */
+  double complement_scale_start; /* d, normalised frame */
+  double complement_scale_end;
+
+  /* sparse to dense (III-F) */
+  int32_t sparse_to_dense; /* 0: the D stage throughout (ablation) */
+  double switch_fraction;  /* delta */
+
+  /* nearest neighbours of the fitness: 0 grid, 1 pcl kd-tree, 2 brute force; same bits */
+  int32_t neighbors;
+
+  /* verdict */
+  double minimum_inlier_ratio;
+  double minimum_mode_gap;
+
+  /* a pose to try as one hypothesis among the particles (not a starting point that the
+   * search stays near); row-major, source into target, the user's unit */
+  int32_t has_guess;
+  double guess[16];
+} emtr_settings;
+
+/* Fills *settings with a preset: "paper" (also for a null pointer). `size` is
+ * sizeof(emtr_settings) as the caller was compiled. */
+EMTR_API emtr_status emtr_settings_init(emtr_settings* settings, size_t size,
+                                        const char* preset);
+
+/* The presets by index, null past the last. */
+EMTR_API const char* emtr_preset_name(size_t index);
+
+typedef enum emtr_setting_type {
+  EMTR_SETTING_INTEGER = 0,
+  EMTR_SETTING_REAL = 1,
+  EMTR_SETTING_SWITCH = 2, /* 0 or 1 */
+  EMTR_SETTING_CHOICE = 3  /* an integer that stands for one of `choices` */
+} emtr_setting_type;
+
+typedef struct emtr_setting_info {
+  const char* name;
+  emtr_setting_type type;
+  const char* unit;    /* "" where it has none */
+  double minimum;      /* inclusive */
+  double maximum;      /* inclusive */
+  double value;        /* in preset "paper" */
+  const char* section; /* where the paper speaks of it, "" where it does not */
+  const char* text;    /* one line */
+  const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
+} emtr_setting_info;
+
+/* The settings that have a name (all but size, has_guess and guess), in a fixed order. */
+EMTR_API size_t emtr_setting_count(void);
+EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info);
+
+/* Sets or reads a setting by name. The range is checked here, contradictions between
+ * settings when they are used. A seed above 2^53 must be set in the struct. */
+EMTR_API emtr_status emtr_setting_set(emtr_settings* settings, const char* name, double value);
+EMTR_API emtr_status emtr_setting_get(const emtr_settings* settings, const char* name,
+                                      double* value);
+
+/* ---- input -------------------------------------------------------------------------- */
+
+typedef enum emtr_scalar { EMTR_FLOAT32 = 0, EMTR_FLOAT64 = 1 } emtr_scalar;
+
+/* x, y, z side by side in memory; `stride` bytes from one point to the next (0: packed).
+ * No alignment is asked for. Points with a NaN or an infinity are dropped and counted.
+ * Needed: at least 10 finite points that do not lie on one point or one line. */
+typedef struct emtr_cloud {
+  const void* points;
+  size_t count;
+  size_t stride;
+  emtr_scalar scalar;
+} emtr_cloud;
+
+/* ---- progress ----------------------------------------------------------------------- */
+
+typedef struct emtr_progress {
+  const char* stage; /* "frame", "densities", "features", "matching", "evolution", "verdict" */
+  int32_t iteration;  /* done, in "evolution"; else 0 */
+  int32_t iterations; /* in all */
+  double best_alpha;  /* fitness of gbest of task alpha, lower is better */
+  double best_beta;
+} emtr_progress;
+
+/* Called on the calling thread, before each stage and after each iteration. Non-zero stops
+ * the run: the result then has reason EMTR_REASON_INTERRUPTED. */
+typedef int (*emtr_progress_fn)(const emtr_progress* progress, void* user);
+
+/* ---- result ------------------------------------------------------------------------- */
+
+typedef enum emtr_reason {
+  EMTR_REASON_REGISTERED = 0,
+  EMTR_REASON_LOW_OVERLAP = 1, /* too few points of one cloud find a neighbour in the other */
+  EMTR_REASON_AMBIGUOUS = 2,   /* another, clearly different pose fits about as well */
+  EMTR_REASON_FEW_MATCHES = 3, /* too few feature matches for task beta to mean anything */
+  EMTR_REASON_INTERRUPTED = 4  /* stopped by the progress callback */
+} emtr_reason;
+
+/* What a reason means, in a few words. Never null. */
+EMTR_API const char* emtr_reason_text(emtr_reason reason);
+
+/* Owned by the library, freed by emtr_result_free(). Later versions append fields. */
+typedef struct emtr_result {
+  size_t size; /* of this struct, as the library was compiled */
+
+  double transformation[16]; /* source into target, row-major, user's unit; orthonormal R.
+                                All NaN when interrupted before any pose was known */
+  int32_t registered;        /* 1: the pose is held to be right; 0: doubtful */
+  emtr_reason reason;
+
+  /* quality, at the dense clouds */
+  double fitness;             /* mean of rho over both dense clouds, 0 (best) to 1 */
+  double inlier_ratio_source; /* share of dense source points within c of the target */
+  double inlier_ratio_target;
+  double inlier_rmse;         /* of the source inliers to the nearest dense target point,
+                                 user's unit; NaN when there are none */
+  double mode_gap;            /* fitness of the best clearly different pose (over 10 degrees
+                                 or 0.15 radii away) minus that of this one */
+
+  /* counts */
+  size_t points_source; /* finite */
+  size_t points_target;
+  size_t dropped_source; /* with NaN or infinity */
+  size_t dropped_target;
+  size_t sparse_source;
+  size_t sparse_target;
+  size_t dense_source;
+  size_t dense_target;
+  size_t correspondences;
+  size_t tims;        /* formed, of which */
+  size_t tims_pruned; /* can be no inlier of any rotation and need no work */
+
+  /* nearest neighbour look-ups, the paper's cost */
+  uint64_t lookups_evaluation; /* of the particles */
+  uint64_t lookups_switch;     /* of the pbests, evaluated again at the switch */
+  uint64_t lookups_complement; /* of Algorithm 2 */
+
+  /* the normalised frame: p' = (p - center) / scale */
+  double scale; /* user's unit */
+  double center_source[3];
+  double center_target[3];
+  double leaf_sparse; /* normalised frame */
+  double leaf_dense;
+
+  /* wall seconds */
+  double seconds_frame;
+  double seconds_densities;
+  double seconds_features;
+  double seconds_matching;
+  double seconds_evolution;
+  double seconds_verdict;
+  double seconds_total;
+
+  /* best fitness so far of both tasks, after each iteration done; alpha's scale changes at
+   * the switch */
+  size_t iterations; /* done */
+  const double* history_alpha;
+  const double* history_beta;
+
+  uint64_t seed;
+  int32_t threads; /* used */
+} emtr_result;
+
+EMTR_API void emtr_result_free(emtr_result* result);
+
+/* Registers source to target. `settings` null: preset "paper". `progress` may be null.
+ * On EMTR_OK *result is new and to be freed, whether registered or not; on an error it is
+ * set to null and emtr_error_message() tells more. */
+EMTR_API emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
+                                   const emtr_settings* settings, emtr_progress_fn progress,
+                                   void* user, emtr_result** result);
+
+/* ---- stage by stage ----------------------------------------------------------------- */
+
+/* A pair of clouds made ready: normalised, thinned, described, matched. For those who
+ * bring their own optimiser. A particle of task alpha is (theta1, theta2, theta3, tx, ty,
+ * tz), one of task beta (theta1, theta2, theta3): radians, R = Rz(theta1) Ry(theta2)
+ * Rx(theta3), any real angle; t in the normalised frame. */
+typedef struct emtr_problem emtr_problem;
+
+/* Keeps nothing of the caller's memory. On an error *problem is set to null. */
+EMTR_API emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
+                                         const emtr_settings* settings,
+                                         emtr_problem** problem);
+EMTR_API void emtr_problem_free(emtr_problem* problem);
+
+/* The evolution and the verdict on a problem; the timings count its making too. */
+EMTR_API emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress,
+                                        void* user, emtr_result** result);
+
+typedef enum emtr_stage { EMTR_STAGE_SPARSE = 0, EMTR_STAGE_DENSE = 1 } emtr_stage;
+
+/* Fitness (sum, lower is better) of `count` particles, row-major (count, 6) and (count, 3).
+ * Each look-up of alpha is counted on the problem. */
+EMTR_API emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
+                                              const double* particles, size_t count,
+                                              double* fitness);
+EMTR_API emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particles,
+                                             size_t count, double* fitness);
+
+/* Algorithm 2: the translation (normalised frame) that completes a rotation. */
+EMTR_API emtr_status emtr_complement(emtr_problem* problem, const double angles[3],
+                                     double translation[3]);
+
+/* Between a particle of task alpha and a 4x4 matrix in the user's unit. */
+EMTR_API emtr_status emtr_particle_to_transformation(const emtr_problem* problem,
+                                                     const double particle[6],
+                                                     double transformation[16]);
+EMTR_API emtr_status emtr_transformation_to_particle(const emtr_problem* problem,
+                                                     const double transformation[16],
+                                                     double particle[6]);
+
+/* Look-ups of task alpha's evaluations and of the complement on this problem so far. */
+EMTR_API uint64_t emtr_problem_lookups(const emtr_problem* problem);
+
+typedef struct emtr_problem_info {
+  double scale; /* user's unit */
+  double center_source[3];
+  double center_target[3];
+  double leaf_sparse; /* normalised frame, as all below */
+  double leaf_dense;
+  double c_sparse; /* scale of the M-estimator in either stage */
+  double c_dense;
+  double tau;
+  size_t tims;        /* formed */
+  size_t tims_pruned; /* of these, not kept in the arrays */
+} emtr_problem_info;
+
+EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem,
+                                           emtr_problem_info* info);
+
+typedef enum emtr_array {
+  EMTR_SOURCE_SPARSE = 0, /* float32 (n, 3), normalised frame, as all clouds below */
+  EMTR_TARGET_SPARSE = 1,
+  EMTR_SOURCE_DENSE = 2, /* also the feature cloud */
+  EMTR_TARGET_DENSE = 3,
+  EMTR_SOURCE_NORMALS = 4, /* float32 (n, 3), NaN where there is none */
+  EMTR_TARGET_NORMALS = 5,
+  EMTR_SOURCE_FEATURES = 6, /* float32 (n, 33) FPFH, NaN where there is none */
+  EMTR_TARGET_FEATURES = 7,
+  EMTR_CORRESPONDENCES = 8, /* int32 (k, 2): rows of source and target dense cloud */
+  EMTR_TIM_SOURCE = 9,      /* float32 (l, 3): p_k - p_j of those not pruned */
+  EMTR_TIM_TARGET = 10
+} emtr_array;
+
+/* A view of one of the problem's arrays, row-major, valid until it is freed. */
+EMTR_API emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which,
+                                        const void** data, size_t* rows, size_t* columns);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* EMTR_EMTR_H */
