@@ -1,0 +1,293 @@
+#include <emtr/emtr.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "error.h"
+#include "problem.h"
+#include "problem_arrays.h"
+#include "result.h"
+#include "settings.h"
+#include "tasks/euler.h"
+
+#define EMTR_TEXT_(x) #x
+#define EMTR_TEXT(x) EMTR_TEXT_(x)
+
+struct emtr_problem : emtr::Problem {
+  using Problem::Problem;
+  emtr::ProblemArrays arrays{*this};
+};
+
+namespace {
+
+thread_local std::string last_error;
+
+/// Runs a body that may throw; what it throws becomes a status and this thread's message.
+template <class Body>
+emtr_status guarded(Body body) noexcept {
+  try {
+    body();
+    return EMTR_OK;
+  } catch (const emtr::Error& error) {
+    last_error = error.what();
+    return error.status();
+  } catch (const std::bad_alloc&) {
+    last_error = "out of memory";
+    return EMTR_ERROR_MEMORY;
+  } catch (const std::exception& error) {
+    last_error = std::string("unexpected: ") + error.what();
+    return EMTR_ERROR_INTERNAL;
+  }
+}
+
+template <class T>
+T& required(T* pointer, const char* name) {
+  if (!pointer) throw emtr::Error(EMTR_ERROR_ARGUMENT, std::string(name) + " is null");
+  return *pointer;
+}
+
+emtr::Settings& checked(emtr_settings* settings) {
+  if (required(settings, "settings").size != sizeof(emtr_settings))
+    throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                      "settings: size is " + std::to_string(settings->size) + ", expected " +
+                          std::to_string(sizeof(emtr_settings)) +
+                          "; fill it with emtr_settings_init()");
+  return *settings;
+}
+
+emtr::Settings settings_or_preset(const emtr_settings* settings) {
+  if (!settings) return emtr::preset("paper");
+  return checked(const_cast<emtr_settings*>(settings));
+}
+
+emtr::OnProgress progress_function(emtr_progress_fn progress, void* user) {
+  if (!progress) return nullptr;
+  return [=](const emtr_progress& p) { return progress(&p, user) != 0; };
+}
+
+/// A problem that tasks can be evaluated on.
+emtr_problem& checked(emtr_problem* problem) { return required(problem, "problem"); }
+const emtr_problem& checked(const emtr_problem* problem) { return required(problem, "problem"); }
+
+/// Scores n particles of `genes` numbers in parallel, on the problem's own count of threads.
+template <class Score>
+void evaluate_all(const emtr_problem& problem, const double* particles, std::size_t n,
+                  std::size_t genes, double* fitness, Score score) {
+  if (n == 0) return;
+  required(particles, "particles");
+  required(fitness, "fitness");
+  for (std::size_t i = 0; i < n * genes; ++i)
+    if (!(particles[i] - particles[i] == 0))
+      throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                        "particles: row " + std::to_string(i / genes) + " is not finite");
+  const auto count = static_cast<std::int64_t>(n);
+#pragma omp parallel num_threads(emtr::thread_count(problem.settings))
+  {
+    emtr::TaskAlpha::Scratch scratch;
+#pragma omp for schedule(dynamic)
+    for (std::int64_t i = 0; i < count; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      fitness[k] = score(particles + genes * k, scratch);
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* emtr_status_text(emtr_status status) {
+  switch (status) {
+    case EMTR_OK: return "no error";
+    case EMTR_ERROR_ARGUMENT: return "bad argument";
+    case EMTR_ERROR_SETTING: return "bad setting";
+    case EMTR_ERROR_CLOUD: return "cloud cannot be registered";
+    case EMTR_ERROR_MEMORY: return "out of memory";
+    case EMTR_ERROR_INTERNAL: return "internal error";
+  }
+  return "unknown status";
+}
+
+const char* emtr_reason_text(emtr_reason reason) {
+  switch (reason) {
+    case EMTR_REASON_REGISTERED: return "registered";
+    case EMTR_REASON_LOW_OVERLAP: return "too few points of the clouds lie on each other";
+    case EMTR_REASON_AMBIGUOUS: return "a clearly different pose fits about as well";
+    case EMTR_REASON_FEW_MATCHES: return "too few feature matches";
+    case EMTR_REASON_INTERRUPTED: return "interrupted";
+  }
+  return "unknown reason";
+}
+
+const char* emtr_error_message(void) { return last_error.c_str(); }
+
+const char* emtr_version(void) {
+  return EMTR_TEXT(EMTR_VERSION_MAJOR) "." EMTR_TEXT(EMTR_VERSION_MINOR) "." EMTR_TEXT(
+      EMTR_VERSION_PATCH);
+}
+
+emtr_status emtr_settings_init(emtr_settings* settings, size_t size, const char* preset) {
+  return guarded([&] {
+    required(settings, "settings");
+    if (size != sizeof(emtr_settings))
+      throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                        "size is " + std::to_string(size) + ", expected " +
+                            std::to_string(sizeof(emtr_settings)) +
+                            ": header and library are of different versions");
+    *settings = emtr::preset(preset ? preset : "paper");
+  });
+}
+
+const char* emtr_preset_name(size_t index) { return index == 0 ? "paper" : nullptr; }
+
+size_t emtr_setting_count(void) { return emtr::setting_count(); }
+
+emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info) {
+  return guarded([&] {
+    if (index >= emtr::setting_count())
+      throw emtr::Error(EMTR_ERROR_ARGUMENT, "index is " + std::to_string(index) +
+                                                 ", expected below " +
+                                                 std::to_string(emtr::setting_count()));
+    required(info, "info") = emtr::setting(index).info;
+  });
+}
+
+emtr_status emtr_setting_set(emtr_settings* settings, const char* name, double value) {
+  return guarded([&] { emtr::set(checked(settings), &required(name, "name"), value); });
+}
+
+emtr_status emtr_setting_get(const emtr_settings* settings, const char* name, double* value) {
+  return guarded([&] {
+    required(value, "value") = emtr::get(checked(const_cast<emtr_settings*>(settings)),
+                                         emtr::find_setting(&required(name, "name")));
+  });
+}
+
+void emtr_result_free(emtr_result* result) { delete static_cast<emtr::Result*>(result); }
+
+emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
+                          const emtr_settings* settings, emtr_progress_fn progress, void* user,
+                          emtr_result** result) {
+  return guarded([&] {
+    required(result, "result") = nullptr;
+    const auto on_progress = progress_function(progress, user);
+    const emtr::Problem problem(required(source, "source"), required(target, "target"),
+                                settings_or_preset(settings), on_progress);
+    *result = problem.solve(on_progress).release();
+  });
+}
+
+emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
+                                const emtr_settings* settings, emtr_problem** problem) {
+  return guarded([&] {
+    required(problem, "problem") = nullptr;
+    *problem = new emtr_problem(required(source, "source"), required(target, "target"),
+                                settings_or_preset(settings), nullptr);
+  });
+}
+
+void emtr_problem_free(emtr_problem* problem) { delete problem; }
+
+emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress, void* user,
+                               emtr_result** result) {
+  return guarded([&] {
+    required(result, "result") = nullptr;
+    *result = checked(problem).solve(progress_function(progress, user)).release();
+  });
+}
+
+emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
+                                     const double* particles, size_t count, double* fitness) {
+  return guarded([&] {
+    emtr_problem& p = checked(problem);
+    if (stage != EMTR_STAGE_SPARSE && stage != EMTR_STAGE_DENSE)
+      throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                        "stage must be EMTR_STAGE_SPARSE or EMTR_STAGE_DENSE");
+    evaluate_all(p, particles, count, 6, fitness,
+                 [&](const double* particle, emtr::TaskAlpha::Scratch& scratch) {
+                   return p.alpha->evaluate(stage, emtr::decode(particle), scratch);
+                 });
+    p.lookups += count * p.alpha->lookups(stage);
+  });
+}
+
+emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particles, size_t count,
+                                    double* fitness) {
+  return guarded([&] {
+    const emtr_problem& p = checked(problem);
+    evaluate_all(p, particles, count, 3, fitness,
+                 [&](const double* angles, emtr::TaskAlpha::Scratch&) {
+                   double R[9];
+                   emtr::euler_to_rotation(angles, R);
+                   return p.beta->evaluate(R);
+                 });
+  });
+}
+
+emtr_status emtr_complement(emtr_problem* problem, const double angles[3],
+                            double translation[3]) {
+  return guarded([&] {
+    emtr_problem& p = checked(problem);
+    double R[9];
+    emtr::euler_to_rotation(&required(angles, "angles"), R);
+    p.complement->translation(R, &required(translation, "translation"));
+    p.lookups += p.complement->lookups();
+  });
+}
+
+emtr_status emtr_particle_to_transformation(const emtr_problem* problem, const double particle[6],
+                                            double T[16]) {
+  return guarded([&] {
+    const emtr::Rigid pose =
+        checked(problem).frame.to_user(emtr::decode(&required(particle, "particle")));
+    emtr::to_matrix(pose, &required(T, "transformation"));
+  });
+}
+
+emtr_status emtr_transformation_to_particle(const emtr_problem* problem, const double T[16],
+                                            double particle[6]) {
+  return guarded([&] {
+    if (!emtr::is_rigid(&required(T, "transformation")))
+      throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                        "transformation: expected a row-major 4x4 of a rotation, a translation "
+                        "and (0, 0, 0, 1)");
+    const emtr::Rigid pose = checked(problem).frame.to_normalised(emtr::from_matrix(T));
+    emtr::encode(pose, &required(particle, "particle"));
+  });
+}
+
+uint64_t emtr_problem_lookups(const emtr_problem* problem) {
+  return problem ? problem->lookups.load() : 0;
+}
+
+emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info) {
+  return guarded([&] {
+    const emtr_problem& p = checked(problem);
+    emtr_problem_info& out = required(info, "info");
+    out.scale = p.frame.scale;
+    std::copy_n(p.frame.center_source, 3, out.center_source);
+    std::copy_n(p.frame.center_target, 3, out.center_target);
+    out.leaf_sparse = p.densities.leaf_sparse;
+    out.leaf_dense = p.densities.leaf_dense;
+    out.c_sparse = p.alpha->scale(EMTR_STAGE_SPARSE);
+    out.c_dense = p.alpha->scale(EMTR_STAGE_DENSE);
+    out.tau = p.tau;
+    out.tims = p.tims.formed();
+    out.tims_pruned = p.tims.pruned;
+  });
+}
+
+emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which, const void** data,
+                               size_t* rows, size_t* columns) {
+  return guarded([&] {
+    const emtr::ProblemArrays::View array = checked(problem).arrays.view(which);
+    required(data, "data") = array.data;
+    required(rows, "rows") = array.rows;
+    required(columns, "columns") = array.columns;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,126 @@
+#include "engine.h"
+
+#include <omp.h>
+
+#include <cmath>
+
+#include "../tasks/euler.h"
+#include "knowledge_transfer.h"
+
+namespace emtr {
+namespace {
+
+class Engine {
+ public:
+  Engine(const TaskAlpha& alpha, const TaskBeta& beta, const KnowledgeComplement& complement,
+         const Settings& settings)
+      : alpha_(alpha),
+        beta_(beta),
+        settings_(settings),
+        transfer_(complement, settings),
+        poses_(pose_genes(settings.translation_bound), settings, Stream::Alpha),
+        rotations_(rotation_genes(), settings, Stream::Beta),
+        scratch_(static_cast<std::size_t>(thread_count(settings))),
+        stage_(settings.sparse_to_dense ? EMTR_STAGE_SPARSE : EMTR_STAGE_DENSE) {}
+
+  void place(const Rigid& guess) {
+    double particle[6];
+    encode(guess, particle);
+    poses_.place(0, particle);
+    rotations_.place(0, particle);
+  }
+
+  Evolution run(const OnIteration& on_iteration) {
+    const int switch_at =
+        static_cast<int>(std::ceil(settings_.switch_fraction * settings_.iterations));
+    for (int it = 0; it < settings_.iterations && !out_.stopped; ++it) {
+      if (stage_ == EMTR_STAGE_SPARSE && it == switch_at) become_dense();
+      evaluate();
+      poses_.update_bests();
+      beta_changed_ |= rotations_.update_bests();
+      out_.history_alpha.push_back(poses_.gbest_fitness());
+      out_.history_beta.push_back(rotations_.gbest_fitness());
+      move(it);
+      out_.stopped = on_iteration(it + 1, poses_.gbest_fitness(), rotations_.gbest_fitness());
+    }
+    for (std::size_t i = 0; i < poses_.size(); ++i)
+      out_.hypotheses.push_back({decode(poses_.best_position(i)), poses_.best_fitness(i)});
+    out_.best = poses_.gbest();
+    out_.stage = stage_;
+    out_.lookups_complement = transfer_.lookups();
+    return std::move(out_);
+  }
+
+ private:
+  /// Runs job(i, scratch) for i < n on the threads of this call only.
+  template <class Job>
+  void parallel(std::size_t n, Job job) {
+    const auto count = static_cast<std::int64_t>(n);
+#pragma omp parallel for schedule(dynamic) num_threads(static_cast<int>(scratch_.size()))
+    for (std::int64_t i = 0; i < count; ++i)
+      job(static_cast<std::size_t>(i), scratch_[static_cast<std::size_t>(omp_get_thread_num())]);
+  }
+
+  /// The particles of both tasks at once.
+  void evaluate() {
+    const std::size_t n = poses_.size();
+    parallel(n + rotations_.size(), [&](std::size_t i, TaskAlpha::Scratch& scratch) {
+      if (i < n) {
+        poses_.fitness()[i] = alpha_.evaluate(stage_, decode(poses_.position(i)), scratch);
+      } else {
+        double R[9];
+        euler_to_rotation(rotations_.position(i - n), R);
+        rotations_.fitness()[i - n] = beta_.evaluate(R);
+      }
+    });
+    out_.lookups_evaluation += n * alpha_.lookups(stage_);
+  }
+
+  /// Lines 22-26: the pbests are scored anew; the positions are in this iteration's evaluation
+  /// anyway, and update_bests() then makes each pbest the better of the two.
+  void become_dense() {
+    stage_ = EMTR_STAGE_DENSE;
+    std::vector<double> fitness(poses_.size());
+    parallel(poses_.size(), [&](std::size_t i, TaskAlpha::Scratch& scratch) {
+      fitness[i] = alpha_.evaluate(stage_, decode(poses_.best_position(i)), scratch);
+    });
+    poses_.set_best_fitness(fitness);
+    out_.lookups_switch += poses_.size() * alpha_.lookups(stage_);
+  }
+
+  void move(int it) {
+    const double done = static_cast<double>(it) / settings_.iterations;
+    const double inertia =
+        settings_.inertia_start + (settings_.inertia_end - settings_.inertia_start) * done;
+    auto guides = KnowledgeTransfer::own(poses_, rotations_);
+    // Without TIMs task beta's fitness is flat, and its best is as good as any.
+    if (beta_.informative() && transfer_.due(it)) {
+      guides = transfer_.exchange(it, poses_, rotations_, beta_changed_);
+      beta_changed_ = false;
+    }
+    poses_.move(it, inertia, guides.alpha.data());
+    rotations_.move(it, inertia, guides.beta.data());
+  }
+
+  const TaskAlpha& alpha_;
+  const TaskBeta& beta_;
+  const Settings settings_;
+  KnowledgeTransfer transfer_;
+  Swarm poses_, rotations_;
+  std::vector<TaskAlpha::Scratch> scratch_;
+  emtr_stage stage_;
+  bool beta_changed_ = false;  // since the complement was last worked out
+  Evolution out_;
+};
+
+}  // namespace
+
+Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
+                 const KnowledgeComplement& complement, const Settings& settings,
+                 const Rigid* guess, const OnIteration& on_iteration) {
+  Engine engine(alpha, beta, complement, settings);
+  if (guess) engine.place(*guess);
+  return engine.run(on_iteration);
+}
+
+}  // namespace emtr

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "../tasks/task_alpha.h"
+#include "../tasks/task_beta.h"
+#include "knowledge_complement.h"
+#include "swarm.h"
+
+namespace emtr {
+
+/// A pose that some particle of task alpha remembers.
+struct Hypothesis {
+  Rigid pose;      ///< normalised frame
+  double fitness;  ///< task alpha's, at `stage` of the evolution
+};
+
+/// What the evolution leaves behind.
+struct Evolution {
+  std::vector<Hypothesis> hypotheses;  ///< pbests of alpha; empty if stopped before the first
+  std::size_t best = 0;                ///< gbest among them
+  emtr_stage stage = EMTR_STAGE_SPARSE;
+  bool stopped = false;
+  std::vector<double> history_alpha, history_beta;  ///< gbest's fitness after each iteration
+  std::uint64_t lookups_evaluation = 0, lookups_switch = 0, lookups_complement = 0;
+};
+
+/// Called after each iteration with the number done and both gbests' fitness; true stops.
+using OnIteration = std::function<bool(int, double, double)>;
+
+/// Algorithm 1: both swarms evolve together, work spread over the particles of both tasks.
+/// `guess`: a pose that takes the first particle's place in both swarms, or null.
+Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
+                 const KnowledgeComplement& complement, const Settings& settings,
+                 const Rigid* guess, const OnIteration& on_iteration);
+
+}  // namespace emtr

@@ -1,0 +1,52 @@
+#include "knowledge_complement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "../tasks/m_estimator.h"
+#include "../tasks/transform.h"
+
+namespace emtr {
+
+KnowledgeComplement::KnowledgeComplement(const Cloud& source, const Cloud& target,
+                                         std::unique_ptr<Neighbors> neighbors,
+                                         const Settings& settings)
+    : source_(source), target_(target), neighbors_(std::move(neighbors)), settings_(settings) {}
+
+void KnowledgeComplement::translation(const double* R, double t[3]) const {
+  const std::size_t n = source_.size();
+  std::vector<float> x(n), y(n), z(n), squared(n);
+  std::vector<std::int32_t> index(n);
+  Rigid pose;
+  std::copy_n(R, 9, pose.R);
+
+  const int iterations = settings_.complement_iterations;
+  const double shrink = settings_.complement_scale_end / settings_.complement_scale_start;
+  for (int k = 0; k < iterations; ++k) {
+    const double progress = iterations > 1 ? static_cast<double>(k) / (iterations - 1) : 0;
+    const double scale = settings_.complement_scale_start * std::pow(shrink, progress);
+    transform(source_, pose, x.data(), y.data(), z.data());
+    neighbors_->nearest(x.data(), y.data(), z.data(), n, index.data(), squared.data());
+
+    double weights = 0, step[3] = {};
+    for (std::size_t i = 0; i < n; ++i) {
+      if (index[i] < 0) continue;
+      const auto j = static_cast<std::size_t>(index[i]);
+      const double w = tukey_weight(static_cast<double>(squared[i]), scale * scale);
+      weights += w;
+      step[0] += w * (double{target_.x[j]} - double{x[i]});
+      step[1] += w * (double{target_.y[j]} - double{y[i]});
+      step[2] += w * (double{target_.z[j]} - double{z[i]});
+    }
+    if (!(weights > 0)) continue;  // nothing near: no knowledge to add
+    for (int a = 0; a < 3; ++a) pose.t[a] += step[a] / weights;
+  }
+  std::copy_n(pose.t, 3, t);
+}
+
+std::uint64_t KnowledgeComplement::lookups() const {
+  return source_.size() * static_cast<std::uint64_t>(settings_.complement_iterations);
+}
+
+}  // namespace emtr

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "../cloud.h"
+#include "../neighbors/neighbors.h"
+#include "../settings.h"
+
+namespace emtr {
+
+/// Knowledge complement (section III-E, Algorithm 2): the translation that task beta's rotation
+/// lacks. From t = 0, each iteration moves the rotated sparse source by the difference of the
+/// weighted centroids of its points and of their nearest target points; Tukey's weights, with a
+/// scale d that shrinks geometrically from complement_scale_start to complement_scale_end.
+class KnowledgeComplement {
+ public:
+  /// `neighbors`: of the sparse target, with radius complement_scale_start.
+  KnowledgeComplement(const Cloud& source, const Cloud& target,
+                      std::unique_ptr<Neighbors> neighbors, const Settings& settings);
+
+  void translation(const double* R, double t[3]) const;
+
+  /// Look-ups of one call.
+  std::uint64_t lookups() const;
+
+ private:
+  const Cloud& source_;
+  const Cloud& target_;
+  std::unique_ptr<Neighbors> neighbors_;
+  Settings settings_;
+};
+
+}  // namespace emtr

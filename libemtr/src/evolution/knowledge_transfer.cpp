@@ -1,0 +1,60 @@
+#include "knowledge_transfer.h"
+
+#include <algorithm>
+
+#include "../tasks/euler.h"
+
+namespace emtr {
+namespace {
+
+/// lambda, linear over the iterations.
+double share(double start, double end, int iteration, int iterations) {
+  return start + (end - start) * iteration / iterations;
+}
+
+}  // namespace
+
+KnowledgeTransfer::Guides KnowledgeTransfer::own(const Swarm& alpha, const Swarm& beta) {
+  Guides guides;
+  std::copy_n(alpha.gbest_position(), 6, guides.alpha.begin());
+  std::copy_n(beta.gbest_position(), 3, guides.beta.begin());
+  return guides;
+}
+
+bool KnowledgeTransfer::due(int iteration) const {
+  const auto word =
+      draw(settings_.seed, static_cast<std::uint64_t>(iteration), Stream::Transfer, 0, 0);
+  return settings_.transfer && uniform(word[0]) < settings_.transfer_probability;
+}
+
+KnowledgeTransfer::Guides KnowledgeTransfer::exchange(int iteration, const Swarm& alpha,
+                                                      const Swarm& beta, bool beta_changed) {
+  const double* a = alpha.gbest_position();
+  const double* b = beta.gbest_position();
+  if (settings_.complement && (beta_changed || !known_)) {
+    double R[9];
+    euler_to_rotation(b, R);
+    complement_.translation(R, translation_.data());
+    lookups_ += complement_.lookups();
+    known_ = true;
+  }
+
+  const double la = share(settings_.lambda_alpha_start, settings_.lambda_alpha_end, iteration,
+                          settings_.iterations);
+  const double lb = share(settings_.lambda_beta_start, settings_.lambda_beta_end, iteration,
+                          settings_.iterations);
+  double beta_seen_by_alpha[3], alpha_seen_by_beta[3];
+  nearest_alias(b, a, beta_seen_by_alpha);
+  nearest_alias(a, b, alpha_seen_by_beta);
+  Guides guides;
+  for (std::size_t k = 0; k < 3; ++k) {
+    guides.alpha[k] = la * a[k] + (1 - la) * beta_seen_by_alpha[k];
+    guides.beta[k] = lb * b[k] + (1 - lb) * alpha_seen_by_beta[k];
+    // Without the complement alpha keeps its own translation.
+    guides.alpha[k + 3] =
+        settings_.complement ? la * a[k + 3] + (1 - la) * translation_[k] : a[k + 3];
+  }
+  return guides;
+}
+
+}  // namespace emtr

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "../settings.h"
+#include "knowledge_complement.h"
+#include "swarm.h"
+
+namespace emtr {
+
+/// Knowledge transfer (section III-D): what guides each swarm in one iteration. The guide takes
+/// gbest's place in the velocities of that iteration only; pbest and gbest stay as they are.
+class KnowledgeTransfer {
+ public:
+  KnowledgeTransfer(const KnowledgeComplement& complement, const Settings& settings)
+      : complement_(complement), settings_(settings) {}
+
+  struct Guides {
+    std::array<double, 6> alpha;
+    std::array<double, 3> beta;
+  };
+
+  /// Without a transfer each gbest guides its own swarm.
+  static Guides own(const Swarm& alpha, const Swarm& beta);
+
+  /// Whether there is a transfer in this iteration: once for both directions, with chance rmp.
+  bool due(int iteration) const;
+
+  /// gbest_alpha_new = la gbest_alpha + (1 - la) (gbest_beta completed); beta likewise from
+  /// alpha's rotation with lb. The complement is worked out again only when beta's gbest has
+  /// changed. Of the many angles for one rotation the nearest to the receiver's are mixed in.
+  Guides exchange(int iteration, const Swarm& alpha, const Swarm& beta, bool beta_changed);
+
+  std::uint64_t lookups() const { return lookups_; }
+
+ private:
+  const KnowledgeComplement& complement_;
+  Settings settings_;
+  bool known_ = false;
+  std::array<double, 3> translation_{};
+  std::uint64_t lookups_ = 0;
+};
+
+}  // namespace emtr

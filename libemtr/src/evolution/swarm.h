@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "../settings.h"
+#include "philox.h"
+
+namespace emtr {
+
+/// The range that a gene is drawn from. A `wall` also stops it: a translation has a box, an angle
+/// is periodic and flies on.
+struct Gene {
+  double low, high;
+  bool wall;
+};
+
+std::vector<Gene> rotation_genes();                               ///< task beta's three
+std::vector<Gene> pose_genes(double translation_bound);           ///< task alpha's six
+
+/// One population of particle swarm optimisation (section III-A), minimising. Knows nothing of
+/// what a particle means.
+class Swarm {
+ public:
+  Swarm(std::vector<Gene> genes, const Settings& settings, Stream stream);
+
+  std::size_t size() const { return fitness_.size(); }
+  std::size_t dimensions() const { return genes_.size(); }
+
+  const double* position(std::size_t i) const { return &position_[i * dimensions()]; }
+  const double* best_position(std::size_t i) const { return &best_position_[i * dimensions()]; }
+  double best_fitness(std::size_t i) const { return best_fitness_[i]; }
+
+  /// Puts a particle somewhere of the caller's choice, before the first evaluation.
+  void place(std::size_t i, const double* position);
+
+  /// Fitness of each position, written by the caller (from any thread, each i once).
+  std::vector<double>& fitness() { return fitness_; }
+  /// Replaces the pbests' fitness after the objective has changed (lines 22-26 of Algorithm 1).
+  void set_best_fitness(const std::vector<double>& fitness) { best_fitness_ = fitness; }
+
+  /// Takes the positions that are better than their pbest, then gbest. True when gbest moved.
+  bool update_bests();
+
+  std::size_t gbest() const { return gbest_; }
+  const double* gbest_position() const { return best_position(gbest_); }
+  double gbest_fitness() const { return best_fitness_[gbest_]; }
+
+  /// v <- w v + c1 r1 (pbest - x) + c2 r2 (guide - x), x <- x + v.
+  void move(int iteration, double inertia, const double* guide);
+
+ private:
+  std::vector<Gene> genes_;
+  Settings settings_;
+  Stream stream_;
+  std::vector<double> position_, velocity_, best_position_;
+  std::vector<double> fitness_, best_fitness_;
+  std::size_t gbest_ = 0;
+};
+
+}  // namespace emtr

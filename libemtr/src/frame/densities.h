@@ -1,0 +1,18 @@
+#pragma once
+
+#include "../settings.h"
+#include "frame.h"
+
+namespace emtr {
+
+/// The clouds that the tasks work on: both thinned by one leaf a density, the leaf found so that
+/// a count of points is met, whatever the unit and the size of the input.
+struct Densities {
+  double leaf_sparse = 0, leaf_dense = 0;  ///< normalised frame
+  Cloud source_sparse, target_sparse;
+  Cloud source_dense, target_dense;
+};
+
+Densities thin(const NormalisedPair& pair, const Settings& settings);
+
+}  // namespace emtr

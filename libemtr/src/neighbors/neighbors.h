@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "../cloud.h"
+
+namespace emtr {
+
+/// Nearest point of one cloud, truncated at a radius: beyond it the M-estimator is flat, so no
+/// more need be known. Exact within; every implementation gives the same bits.
+class Neighbors {
+ public:
+  virtual ~Neighbors() = default;
+
+  /// out[i] = min(squared distance of query i to its nearest point, radius^2), for n queries.
+  virtual void squared_distances(const float* x, const float* y, const float* z, std::size_t n,
+                                 float* out) const = 0;
+
+  /// index[i] = the nearest point of query i (the first of several), -1 when none is closer than
+  /// the radius; squared[i] as above.
+  virtual void nearest(const float* x, const float* y, const float* z, std::size_t n,
+                       std::int32_t* index, float* squared) const = 0;
+};
+
+/// The one formula of a squared distance, in this order of operations, for all of them.
+inline float squared_distance(float dx, float dy, float dz) {
+  return (dx * dx + dy * dy) + dz * dz;
+}
+
+std::unique_ptr<Neighbors> make_brute_force(const Cloud& cloud, float radius);
+
+/// Each cell of a regular grid lists every point that can be nearest to some place in it. `cell`
+/// is a wish: it grows where the grid would take more than a few million cells.
+std::unique_ptr<Neighbors> make_candidate_grid(const Cloud& cloud, float radius, float cell);
+
+}  // namespace emtr

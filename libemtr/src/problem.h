@@ -1,0 +1,59 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "evolution/engine.h"
+#include "features/fpfh.h"
+#include "features/matching.h"
+#include "features/tims.h"
+#include "frame/densities.h"
+#include "result.h"
+#include "tasks/task_alpha.h"
+#include "tasks/task_beta.h"
+
+namespace emtr {
+
+/// Tells the caller how far things are; true stops the run.
+using OnProgress = std::function<bool(const emtr_progress&)>;
+
+/// The walk of the data from two clouds to two tasks, every stage's output kept, and on to a
+/// result. Stages run in the order of the members.
+class Problem {
+ public:
+  /// Throws Error on bad clouds or settings. `on_progress` may stop it between stages; then
+  /// stopped() holds and only solve() may be called, whose result says so.
+  Problem(const emtr_cloud& source, const emtr_cloud& target, const Settings& settings,
+          const OnProgress& on_progress);
+
+  bool stopped() const { return stopped_; }
+
+  /// Evolution and verdict. Does not change the problem, so it can be repeated.
+  std::unique_ptr<Result> solve(const OnProgress& on_progress) const;
+
+  const Settings settings;
+  std::size_t dropped_source = 0, dropped_target = 0, points_source = 0, points_target = 0;
+  Frame frame;
+  Densities densities;
+  Features source_features, target_features;  ///< of the dense clouds
+  std::vector<Correspondence> correspondences;
+  double tau = 0;
+  Tims tims;
+  std::unique_ptr<TaskAlpha> alpha;
+  std::unique_ptr<TaskBeta> beta;
+  std::unique_ptr<KnowledgeComplement> complement;
+  std::atomic<std::uint64_t> lookups{0};  ///< of calls from outside, stage by stage
+
+ private:
+  void prepare(const emtr_cloud& source, const emtr_cloud& target, const OnProgress& on_progress);
+  void match_features();
+  void make_tasks();
+
+  bool stopped_ = false;
+  struct {
+    double frame = 0, densities = 0, features = 0, matching = 0;
+  } seconds_;
+};
+
+}  // namespace emtr

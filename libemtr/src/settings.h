@@ -1,0 +1,35 @@
+#pragma once
+
+#include <emtr/emtr.h>
+
+#include <cstddef>
+#include <string>
+
+namespace emtr {
+
+using Settings = emtr_settings;
+
+/// One row of the table of settings: the public description and where the field lies.
+struct Setting {
+  emtr_setting_info info;
+  std::size_t offset;
+  enum class Storage { Int32, Uint64, Double } storage;
+};
+
+std::size_t setting_count();
+const Setting& setting(std::size_t index);
+const Setting& find_setting(const std::string& name);  ///< throws Error when unknown
+
+void set(Settings& settings, const std::string& name, double value);  ///< checks the range
+double get(const Settings& settings, const Setting& setting);
+
+/// A preset's settings; throws Error when the name is unknown.
+Settings preset(const std::string& name);
+
+/// Throws Error on a value out of range, a contradiction or a guess that is no rigid motion.
+void validate(const Settings& settings);
+
+/// Threads to use: the setting, or as many as OpenMP would by itself.
+int thread_count(const Settings& settings);
+
+}  // namespace emtr

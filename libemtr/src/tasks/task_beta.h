@@ -1,0 +1,29 @@
+#pragma once
+
+#include "../features/tims.h"
+#include "../settings.h"
+
+namespace emtr {
+
+/// Task beta (section III-B): a rotation, scored on TIMs by the modified consensus. Lower is
+/// better: f = eta * #outliers + sum over inliers |q - R p|, inlier when |q - R p| < threshold.
+class TaskBeta {
+ public:
+  /// `tau` in the normalised frame.
+  TaskBeta(const Tims& tims, double tau, const Settings& settings);
+
+  double evaluate(const double* R) const;  ///< R row-major
+
+  bool informative() const { return tims_.kept() > 0; }
+
+  static double threshold(double tau, const Settings& settings) {
+    return settings.inlier_threshold * tau;
+  }
+
+ private:
+  const Tims& tims_;
+  float squared_threshold_;
+  double penalty_;  ///< eta
+};
+
+}  // namespace emtr
