@@ -51,10 +51,10 @@ T& required(T* pointer, const char* name) {
 
 emtr::Settings& checked(emtr_settings* settings) {
   if (required(settings, "settings").size != sizeof(emtr_settings))
-    throw emtr::Error(EMTR_ERROR_ARGUMENT,
-                      "settings: size is " + std::to_string(settings->size) + ", expected " +
-                          std::to_string(sizeof(emtr_settings)) +
-                          "; fill it with emtr_settings_init()");
+    throw emtr::Error(EMTR_ERROR_ARGUMENT, "settings: size is " + std::to_string(settings->size) +
+                                               ", expected " +
+                                               std::to_string(sizeof(emtr_settings)) +
+                                               "; fill it with emtr_settings_init()");
   return *settings;
 }
 
@@ -101,23 +101,34 @@ extern "C" {
 
 const char* emtr_status_text(emtr_status status) {
   switch (status) {
-    case EMTR_OK: return "no error";
-    case EMTR_ERROR_ARGUMENT: return "bad argument";
-    case EMTR_ERROR_SETTING: return "bad setting";
-    case EMTR_ERROR_CLOUD: return "cloud cannot be registered";
-    case EMTR_ERROR_MEMORY: return "out of memory";
-    case EMTR_ERROR_INTERNAL: return "internal error";
+    case EMTR_OK:
+      return "no error";
+    case EMTR_ERROR_ARGUMENT:
+      return "bad argument";
+    case EMTR_ERROR_SETTING:
+      return "bad setting";
+    case EMTR_ERROR_CLOUD:
+      return "cloud cannot be registered";
+    case EMTR_ERROR_MEMORY:
+      return "out of memory";
+    case EMTR_ERROR_INTERNAL:
+      return "internal error";
   }
   return "unknown status";
 }
 
 const char* emtr_reason_text(emtr_reason reason) {
   switch (reason) {
-    case EMTR_REASON_REGISTERED: return "registered";
-    case EMTR_REASON_LOW_OVERLAP: return "too few points of the clouds lie on each other";
-    case EMTR_REASON_AMBIGUOUS: return "a clearly different pose fits about as well";
-    case EMTR_REASON_FEW_MATCHES: return "too few feature matches";
-    case EMTR_REASON_INTERRUPTED: return "interrupted";
+    case EMTR_REASON_REGISTERED:
+      return "registered";
+    case EMTR_REASON_LOW_OVERLAP:
+      return "too few points of the clouds lie on each other";
+    case EMTR_REASON_AMBIGUOUS:
+      return "a clearly different pose fits about as well";
+    case EMTR_REASON_FEW_MATCHES:
+      return "too few feature matches";
+    case EMTR_REASON_INTERRUPTED:
+      return "interrupted";
   }
   return "unknown reason";
 }
@@ -133,10 +144,9 @@ emtr_status emtr_settings_init(emtr_settings* settings, size_t size, const char*
   return guarded([&] {
     required(settings, "settings");
     if (size != sizeof(emtr_settings))
-      throw emtr::Error(EMTR_ERROR_ARGUMENT,
-                        "size is " + std::to_string(size) + ", expected " +
-                            std::to_string(sizeof(emtr_settings)) +
-                            ": header and library are of different versions");
+      throw emtr::Error(EMTR_ERROR_ARGUMENT, "size is " + std::to_string(size) + ", expected " +
+                                                 std::to_string(sizeof(emtr_settings)) +
+                                                 ": header and library are of different versions");
     *settings = emtr::preset(preset ? preset : "paper");
   });
 }
@@ -204,8 +214,7 @@ emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
   return guarded([&] {
     emtr_problem& p = checked(problem);
     if (stage != EMTR_STAGE_SPARSE && stage != EMTR_STAGE_DENSE)
-      throw emtr::Error(EMTR_ERROR_ARGUMENT,
-                        "stage must be EMTR_STAGE_SPARSE or EMTR_STAGE_DENSE");
+      throw emtr::Error(EMTR_ERROR_ARGUMENT, "stage must be EMTR_STAGE_SPARSE or EMTR_STAGE_DENSE");
     evaluate_all(p, particles, count, 6, fitness,
                  [&](const double* particle, emtr::TaskAlpha::Scratch& scratch) {
                    return p.alpha->evaluate(stage, emtr::decode(particle), scratch);
@@ -227,8 +236,7 @@ emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particl
   });
 }
 
-emtr_status emtr_complement(emtr_problem* problem, const double angles[3],
-                            double translation[3]) {
+emtr_status emtr_complement(emtr_problem* problem, const double angles[3], double translation[3]) {
   return guarded([&] {
     emtr_problem& p = checked(problem);
     double R[9];

@@ -20,8 +20,8 @@ std::unique_ptr<Neighbors> make_neighbors(int kind, const Cloud& cloud, float ra
   return make_candidate_grid(cloud, radius, leaf);
 }
 
-bool report(const OnProgress& on_progress, const char* stage, int iteration = 0,
-            int iterations = 0, double alpha = 0, double beta = 0) {
+bool report(const OnProgress& on_progress, const char* stage, int iteration = 0, int iterations = 0,
+            double alpha = 0, double beta = 0) {
   return on_progress && on_progress({stage, iteration, iterations, alpha, beta});
 }
 
@@ -87,9 +87,10 @@ void Problem::make_tasks() {
   };
   alpha = std::make_unique<TaskAlpha>(densities, settings, make);
   beta = std::make_unique<TaskBeta>(tims, tau, settings);
-  // The complement looks far, so its cells may be coarser.
-  auto far = make(densities.target_sparse, static_cast<float>(settings.complement_scale_start),
-                  static_cast<float>(1.5 * densities.leaf_sparse));
+  // The complement looks far: cells no finer than a share of that keep its structure small.
+  const double reach = settings.complement_scale_start;
+  auto far = make(densities.target_sparse, static_cast<float>(reach),
+                  static_cast<float>(std::max(1.5 * densities.leaf_sparse, reach / 5)));
   complement = std::make_unique<KnowledgeComplement>(
       densities.source_sparse, densities.target_sparse, std::move(far), settings);
 }
@@ -130,12 +131,11 @@ std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
     watch.lap();
     Rigid guess;
     if (settings.has_guess) guess = frame.to_normalised(from_matrix(settings.guess));
-    Evolution e = evolve(*alpha, *beta, *complement, settings,
-                         settings.has_guess ? &guess : nullptr,
-                         [&](int done, double best_alpha, double best_beta) {
-                           return report(on_progress, "evolution", done, settings.iterations,
-                                         best_alpha, best_beta);
-                         });
+    Evolution e = evolve(
+        *alpha, *beta, *complement, settings, settings.has_guess ? &guess : nullptr,
+        [&](int done, double best_alpha, double best_beta) {
+          return report(on_progress, "evolution", done, settings.iterations, best_alpha, best_beta);
+        });
     r.seconds_evolution = watch.lap();
 
     e.stopped |= report(on_progress, "verdict");

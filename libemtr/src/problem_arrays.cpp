@@ -21,17 +21,28 @@ ProblemArrays::View ProblemArrays::view(emtr_array which) const {
   };
   const Problem& p = problem_;
   switch (which) {
-    case EMTR_SOURCE_SPARSE: return interleaved(which, p.densities.source_sparse);
-    case EMTR_TARGET_SPARSE: return interleaved(which, p.densities.target_sparse);
-    case EMTR_SOURCE_DENSE: return interleaved(which, p.densities.source_dense);
-    case EMTR_TARGET_DENSE: return interleaved(which, p.densities.target_dense);
-    case EMTR_SOURCE_NORMALS: return plain(p.source_features.normals, 3);
-    case EMTR_TARGET_NORMALS: return plain(p.target_features.normals, 3);
-    case EMTR_SOURCE_FEATURES: return plain(p.source_features.descriptors, kFeatureSize);
-    case EMTR_TARGET_FEATURES: return plain(p.target_features.descriptors, kFeatureSize);
-    case EMTR_CORRESPONDENCES: return {p.correspondences.data(), p.correspondences.size(), 2};
-    case EMTR_TIM_SOURCE: return interleaved(which, p.tims.source);
-    case EMTR_TIM_TARGET: return interleaved(which, p.tims.target);
+    case EMTR_SOURCE_SPARSE:
+      return interleaved(which, p.densities.source_sparse);
+    case EMTR_TARGET_SPARSE:
+      return interleaved(which, p.densities.target_sparse);
+    case EMTR_SOURCE_DENSE:
+      return interleaved(which, p.densities.source_dense);
+    case EMTR_TARGET_DENSE:
+      return interleaved(which, p.densities.target_dense);
+    case EMTR_SOURCE_NORMALS:
+      return plain(p.source_features.normals, 3);
+    case EMTR_TARGET_NORMALS:
+      return plain(p.target_features.normals, 3);
+    case EMTR_SOURCE_FEATURES:
+      return plain(p.source_features.descriptors, kFeatureSize);
+    case EMTR_TARGET_FEATURES:
+      return plain(p.target_features.descriptors, kFeatureSize);
+    case EMTR_CORRESPONDENCES:
+      return {p.correspondences.data(), p.correspondences.size(), 2};
+    case EMTR_TIM_SOURCE:
+      return interleaved(which, p.tims.source);
+    case EMTR_TIM_TARGET:
+      return interleaved(which, p.tims.target);
   }
   throw Error(EMTR_ERROR_ARGUMENT, "array: there is none of that number");
 }

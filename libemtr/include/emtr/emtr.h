@@ -60,22 +60,22 @@ typedef struct emtr_settings {
   uint64_t seed; /* any; the same seed gives the same bits */
   int32_t threads; /* 0: as many as the machine has; the result does not depend on it */
 
-  /* densities (section III-F) */
+  /* densities */
   int32_t dense_points;        /* both dense clouds together */
   int32_t sparse_points;       /* the sparse source cloud */
   double minimum_leaf_spacing; /* dense leaf >= this many point spacings */
 
-  /* features and matches (III-B) */
+  /* features and matches */
   double normal_radius;  /* dense leaves */
   double feature_radius; /* dense leaves */
   int32_t max_tims;      /* cap on pairs of correspondences */
 
-  /* task beta (III-B) */
+  /* task beta */
   double tau_factor;       /* tau / mean resolution of the feature clouds */
   double inlier_threshold; /* in tau */
   double outlier_penalty;  /* eta, in tau */
 
-  /* task alpha (III-C) */
+  /* task alpha */
   double scale_sparse; /* c of the S stage, sparse leaves */
   double scale_dense;  /* c of the D stage, dense leaves */
   double translation_bound; /* half the side of the box, normalised frame */
@@ -89,7 +89,7 @@ typedef struct emtr_settings {
   double social;    /* c2 */
   double velocity_limit; /* share of each gene's range */
 
-  /* knowledge transfer (III-D) and complement (III-E, Algorithm 2) */
+  /* knowledge transfer and complement (Algorithm 2) */
   int32_t transfer; /* 0: the tasks do not talk (ablation) */
   double transfer_probability; /* rmp */
   double lambda_alpha_start;
@@ -101,7 +101,7 @@ typedef struct emtr_settings {
   double complement_scale_start; /* d, normalised frame */
   double complement_scale_end;
 
-  /* sparse to dense (III-F) */
+  /* sparse to dense */
   int32_t sparse_to_dense; /* 0: the D stage throughout (ablation) */
   double switch_fraction;  /* delta */
 
@@ -109,7 +109,7 @@ typedef struct emtr_settings {
   int32_t neighbors;
 
   /* verdict */
-  double minimum_inlier_ratio;
+  double maximum_fitness;
   double minimum_mode_gap;
 
   /* a pose to try as one hypothesis among the particles (not a starting point that the
@@ -140,7 +140,7 @@ typedef struct emtr_setting_info {
   double minimum;      /* inclusive */
   double maximum;      /* inclusive */
   double value;        /* in preset "paper" */
-  const char* section; /* where the paper speaks of it, "" where it does not */
+  const char* section; /* the part of the method that it belongs to, "" for none */
   const char* text;    /* one line */
   const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
 } emtr_setting_info;
@@ -161,7 +161,8 @@ typedef enum emtr_scalar { EMTR_FLOAT32 = 0, EMTR_FLOAT64 = 1 } emtr_scalar;
 
 /* x, y, z side by side in memory; `stride` bytes from one point to the next (0: packed).
  * No alignment is asked for. Points with a NaN or an infinity are dropped and counted.
- * Needed: at least 10 finite points that do not lie on one point or one line. */
+ * Needed: at least 10 finite points, 10 also after thinning (some 25 well spread ones do), that
+ * do not lie on one point or one line. */
 typedef struct emtr_cloud {
   const void* points;
   size_t count;
@@ -187,7 +188,7 @@ typedef int (*emtr_progress_fn)(const emtr_progress* progress, void* user);
 
 typedef enum emtr_reason {
   EMTR_REASON_REGISTERED = 0,
-  EMTR_REASON_LOW_OVERLAP = 1, /* too few points of one cloud find a neighbour in the other */
+  EMTR_REASON_LOW_OVERLAP = 1, /* too few points of the clouds lie on each other */
   EMTR_REASON_AMBIGUOUS = 2,   /* another, clearly different pose fits about as well */
   EMTR_REASON_FEW_MATCHES = 3, /* too few feature matches for task beta to mean anything */
   EMTR_REASON_INTERRUPTED = 4  /* stopped by the progress callback */

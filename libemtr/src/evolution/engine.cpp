@@ -1,11 +1,10 @@
 #include "engine.h"
 
-#include <omp.h>
-
 #include <cmath>
 
 #include "../tasks/euler.h"
 #include "knowledge_transfer.h"
+#include "team.h"
 
 namespace emtr {
 namespace {
@@ -13,8 +12,9 @@ namespace {
 class Engine {
  public:
   Engine(const TaskAlpha& alpha, const TaskBeta& beta, const KnowledgeComplement& complement,
-         const Settings& settings)
-      : alpha_(alpha),
+         const Settings& settings, Team& team)
+      : team_(team),
+        alpha_(alpha),
         beta_(beta),
         settings_(settings),
         transfer_(complement, settings),
@@ -52,21 +52,12 @@ class Engine {
   }
 
  private:
-  /// Runs job(i, scratch) for i < n on the threads of this call only.
-  template <class Job>
-  void parallel(std::size_t n, Job job) {
-    const auto count = static_cast<std::int64_t>(n);
-#pragma omp parallel for schedule(dynamic) num_threads(static_cast<int>(scratch_.size()))
-    for (std::int64_t i = 0; i < count; ++i)
-      job(static_cast<std::size_t>(i), scratch_[static_cast<std::size_t>(omp_get_thread_num())]);
-  }
-
   /// The particles of both tasks at once.
   void evaluate() {
     const std::size_t n = poses_.size();
-    parallel(n + rotations_.size(), [&](std::size_t i, TaskAlpha::Scratch& scratch) {
+    team_.parallel(n + rotations_.size(), [&](std::size_t i, std::size_t thread) {
       if (i < n) {
-        poses_.fitness()[i] = alpha_.evaluate(stage_, decode(poses_.position(i)), scratch);
+        poses_.fitness()[i] = alpha_.evaluate(stage_, decode(poses_.position(i)), scratch_[thread]);
       } else {
         double R[9];
         euler_to_rotation(rotations_.position(i - n), R);
@@ -81,8 +72,8 @@ class Engine {
   void become_dense() {
     stage_ = EMTR_STAGE_DENSE;
     std::vector<double> fitness(poses_.size());
-    parallel(poses_.size(), [&](std::size_t i, TaskAlpha::Scratch& scratch) {
-      fitness[i] = alpha_.evaluate(stage_, decode(poses_.best_position(i)), scratch);
+    team_.parallel(poses_.size(), [&](std::size_t i, std::size_t thread) {
+      fitness[i] = alpha_.evaluate(stage_, decode(poses_.best_position(i)), scratch_[thread]);
     });
     poses_.set_best_fitness(fitness);
     out_.lookups_switch += poses_.size() * alpha_.lookups(stage_);
@@ -102,6 +93,7 @@ class Engine {
     rotations_.move(it, inertia, guides.beta.data());
   }
 
+  Team& team_;
   const TaskAlpha& alpha_;
   const TaskBeta& beta_;
   const Settings settings_;
@@ -118,9 +110,13 @@ class Engine {
 Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const KnowledgeComplement& complement, const Settings& settings,
                  const Rigid* guess, const OnIteration& on_iteration) {
-  Engine engine(alpha, beta, complement, settings);
-  if (guess) engine.place(*guess);
-  return engine.run(on_iteration);
+  Evolution out;
+  Team::with(thread_count(settings), [&](Team& team) {
+    Engine engine(alpha, beta, complement, settings, team);
+    if (guess) engine.place(*guess);
+    out = engine.run(on_iteration);
+  });
+  return out;
 }
 
 }  // namespace emtr

@@ -9,7 +9,7 @@
 
 namespace emtr {
 
-/// Knowledge complement (section III-E, Algorithm 2): the translation that task beta's rotation
+/// Knowledge complement (Algorithm 2): the translation that task beta's rotation
 /// lacks. From t = 0, each iteration moves the rotated sparse source by the difference of the
 /// weighted centroids of its points and of their nearest target points; Tukey's weights, with a
 /// scale d that shrinks geometrically from complement_scale_start to complement_scale_end.

@@ -9,7 +9,7 @@
 
 namespace emtr {
 
-/// Knowledge transfer (section III-D): what guides each swarm in one iteration. The guide takes
+/// Knowledge transfer: what guides each swarm in one iteration. The guide takes
 /// gbest's place in the velocities of that iteration only; pbest and gbest stay as they are.
 class KnowledgeTransfer {
  public:

@@ -28,16 +28,13 @@ inline std::array<std::uint64_t, 4> philox(std::array<std::uint64_t, 2> key,
 }
 
 /// Uniform in [0, 1) from one word, with all 53 bits that a double holds.
-inline double uniform(std::uint64_t word) {
-  return static_cast<double>(word >> 11) * 0x1.0p-53;
-}
+inline double uniform(std::uint64_t word) { return static_cast<double>(word >> 11) * 0x1.0p-53; }
 
 /// Who draws: the counter is (iteration, stream, particle, dimension).
 enum class Stream : std::uint64_t { Alpha = 0, Beta = 1, Transfer = 2 };
 
-inline std::array<std::uint64_t, 4> draw(std::uint64_t seed, std::uint64_t iteration,
-                                         Stream stream, std::uint64_t particle,
-                                         std::uint64_t dimension) {
+inline std::array<std::uint64_t, 4> draw(std::uint64_t seed, std::uint64_t iteration, Stream stream,
+                                         std::uint64_t particle, std::uint64_t dimension) {
   return philox({seed, 0}, {iteration, static_cast<std::uint64_t>(stream), particle, dimension});
 }
 

@@ -15,10 +15,10 @@ struct Gene {
   bool wall;
 };
 
-std::vector<Gene> rotation_genes();                               ///< task beta's three
-std::vector<Gene> pose_genes(double translation_bound);           ///< task alpha's six
+std::vector<Gene> rotation_genes();                      ///< task beta's three
+std::vector<Gene> pose_genes(double translation_bound);  ///< task alpha's six
 
-/// One population of particle swarm optimisation (section III-A), minimising. Knows nothing of
+/// One population of particle swarm optimisation, minimising. Knows nothing of
 /// what a particle means.
 class Swarm {
  public:

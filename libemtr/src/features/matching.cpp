@@ -59,8 +59,8 @@ Nearest nearest(const Described& queries, const Described& points, int threads) 
 
 }  // namespace
 
-std::vector<Correspondence> match(const Features& source, const Features& target,
-                                  std::size_t most, int threads) {
+std::vector<Correspondence> match(const Features& source, const Features& target, std::size_t most,
+                                  int threads) {
   const Described s = described(source), t = described(target);
   if (s.rows.empty() || t.rows.empty()) return {};
   const Nearest forward = nearest(s, t, threads), backward = nearest(t, s, threads);

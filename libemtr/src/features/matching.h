@@ -14,7 +14,7 @@ struct Correspondence {
 
 /// Mutual nearest neighbours in FPFH space, no ratio test; the `most` with the smallest distance
 /// between descriptors, in that order.
-std::vector<Correspondence> match(const Features& source, const Features& target,
-                                  std::size_t most, int threads);
+std::vector<Correspondence> match(const Features& source, const Features& target, std::size_t most,
+                                  int threads);
 
 }  // namespace emtr

@@ -14,8 +14,7 @@ Tims form_tims(const Cloud& source, const Cloud& target,
   };
   const auto difference = [](const Cloud& cloud, std::int32_t from, std::int32_t to) {
     const auto a = static_cast<std::size_t>(from), b = static_cast<std::size_t>(to);
-    return Difference{cloud.x[b] - cloud.x[a], cloud.y[b] - cloud.y[a],
-                      cloud.z[b] - cloud.z[a]};
+    return Difference{cloud.x[b] - cloud.x[a], cloud.y[b] - cloud.y[a], cloud.z[b] - cloud.z[a]};
   };
   const auto append = [](Cloud& cloud, const Difference& d) {
     cloud.x.push_back(d.x);

@@ -44,13 +44,13 @@ double finest_leaf(const NormalisedPair& pair, const Settings& settings) {
 
 /// One leaf serves both clouds, so a cloud much smaller than the other can vanish in a few voxels.
 void require_some_left(const Cloud& cloud, const char* name, double leaf, double scale) {
-  constexpr std::size_t least = 4;
+  constexpr std::size_t least = 10;  // a mere dot at the origin already fills 8 voxels
   if (cloud.size() >= least) return;
   throw Error(EMTR_ERROR_CLOUD,
               std::string(name) + " cloud: thinned to " + std::to_string(cloud.size()) +
                   " points at the leaf that serves both clouds (" + std::to_string(leaf * scale) +
                   " in your unit), expected at least " + std::to_string(least) +
-                  ": it is too small or too sparse beside the other");
+                  ": it has too few points, or is too small beside the other");
 }
 
 }  // namespace
@@ -60,8 +60,7 @@ Densities thin(const NormalisedPair& pair, const Settings& settings) {
   const auto dense_count = [&](float leaf) {
     return count_voxels(pair.source, leaf) + count_voxels(pair.target, leaf);
   };
-  out.leaf_dense =
-      find_leaf(dense_count, settings.dense_points, finest_leaf(pair, settings));
+  out.leaf_dense = find_leaf(dense_count, settings.dense_points, finest_leaf(pair, settings));
   out.source_dense = voxel_grid(pair.source, static_cast<float>(out.leaf_dense));
   out.target_dense = voxel_grid(pair.target, static_cast<float>(out.leaf_dense));
 

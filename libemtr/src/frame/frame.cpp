@@ -34,8 +34,7 @@ Points finite_points(const emtr_cloud& cloud, std::size_t stride) {
 Points read(const emtr_cloud& cloud, const std::string& name) {
   const bool single = cloud.scalar == EMTR_FLOAT32;
   if (!single && cloud.scalar != EMTR_FLOAT64)
-    throw Error(EMTR_ERROR_ARGUMENT,
-                name + " cloud: scalar must be EMTR_FLOAT32 or EMTR_FLOAT64");
+    throw Error(EMTR_ERROR_ARGUMENT, name + " cloud: scalar must be EMTR_FLOAT32 or EMTR_FLOAT64");
   if (!cloud.points && cloud.count)
     throw Error(EMTR_ERROR_ARGUMENT, name + " cloud: points is null");
   const std::size_t packed = 3 * (single ? sizeof(float) : sizeof(double));
@@ -74,7 +73,7 @@ Extent center(Points& points, const std::string& name) {
   const double radius = std::sqrt(squared_radius);
   // Rounding of large equal coordinates leaves a radius of a few units in their last place.
   if (!(radius > 1e-14 * centroid.cwiseAbs().maxCoeff()) || radius < 1e-150)
-    throw Error(EMTR_ERROR_CLOUD, name + " cloud: all points are equal, expected some extent");
+    throw Error(EMTR_ERROR_CLOUD, name + " cloud: all points are equal, expected a radius above 1e-150");
   if (!std::isfinite(radius))
     throw Error(EMTR_ERROR_CLOUD, name + " cloud: coordinates too large, expected below 1e150");
 
@@ -86,8 +85,7 @@ Extent center(Points& points, const std::string& name) {
   const Eigen::Vector3d spread =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
   if (spread[1] <= 1e-12 * spread[2])
-    throw Error(EMTR_ERROR_CLOUD,
-                name + " cloud: all points lie on one line, expected a surface");
+    throw Error(EMTR_ERROR_CLOUD, name + " cloud: all points lie on one line, expected a surface");
   return {centroid, radius};
 }
 

@@ -193,9 +193,9 @@ class CandidateGrid final : public Neighbors {
   float origin_[3];
   float cell_, inverse_cell_;
   std::int32_t size_[3];
-  std::vector<std::uint32_t> begin_;    // per cell, and one past the last
-  std::vector<float> x_, y_, z_;        // candidates, cell by cell
-  std::vector<std::int32_t> index_;     // their rows in the cloud, -1 for padding
+  std::vector<std::uint32_t> begin_;  // per cell, and one past the last
+  std::vector<float> x_, y_, z_;      // candidates, cell by cell
+  std::vector<std::int32_t> index_;   // their rows in the cloud, -1 for padding
 };
 
 }  // namespace

@@ -42,8 +42,7 @@ double TaskAlpha::sum(const Cloud& points, const Rigid& pose, const Neighbors& n
 double TaskAlpha::evaluate(emtr_stage stage, const Rigid& pose, Scratch& scratch) const {
   if (stage == EMTR_STAGE_SPARSE)
     return sum(densities_.source_sparse, pose, *target_sparse_, scale_sparse_, scratch);
-  const double forward =
-      sum(densities_.source_dense, pose, *target_dense_, scale_dense_, scratch);
+  const double forward = sum(densities_.source_dense, pose, *target_dense_, scale_dense_, scratch);
   return forward +
          sum(densities_.target_dense, pose.inverse(), *source_dense_, scale_dense_, scratch);
 }

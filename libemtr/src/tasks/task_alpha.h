@@ -9,7 +9,7 @@
 
 namespace emtr {
 
-/// Task alpha (section III-C): a pose, scored on the clouds. Lower is better.
+/// Task alpha: a pose, scored on the clouds. Lower is better.
 ///
 /// S stage: sum over the sparse source points of rho(distance to the nearest target point).
 /// D stage: the same over the dense source points, plus the sum over the dense target points of

@@ -54,8 +54,7 @@ double TaskBeta::evaluate(const double* rotation) const {
   for (std::size_t begin = 0; begin < tims_.kept(); begin += kBlock)
     add_block(tims_, R, squared_threshold_, begin, std::min(begin + kBlock, tims_.kept()),
               consensus);
-  return penalty_ * (static_cast<double>(tims_.formed()) - consensus.inliers) +
-         consensus.residuals;
+  return penalty_ * (static_cast<double>(tims_.formed()) - consensus.inliers) + consensus.residuals;
 }
 
 }  // namespace emtr

@@ -5,7 +5,7 @@
 
 namespace emtr {
 
-/// Task beta (section III-B): a rotation, scored on TIMs by the modified consensus. Lower is
+/// Task beta: a rotation, scored on TIMs by the modified consensus. Lower is
 /// better: f = eta * #outliers + sum over inliers |q - R p|, inlier when |q - R p| < threshold.
 class TaskBeta {
  public:

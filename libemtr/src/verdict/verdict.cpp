@@ -75,9 +75,8 @@ Verdict judge(const Evolution& evolution, const TaskAlpha& alpha, std::size_t co
 
   if (evolution.stopped)
     v.reason = EMTR_REASON_INTERRUPTED;
-  else if (std::max(v.inlier_ratio_source, v.inlier_ratio_target) < settings.minimum_inlier_ratio)
-    v.reason =
-        correspondences < kFewMatches ? EMTR_REASON_FEW_MATCHES : EMTR_REASON_LOW_OVERLAP;
+  else if (v.fitness > settings.maximum_fitness)
+    v.reason = correspondences < kFewMatches ? EMTR_REASON_FEW_MATCHES : EMTR_REASON_LOW_OVERLAP;
   else if (v.mode_gap < settings.minimum_mode_gap)
     v.reason = EMTR_REASON_AMBIGUOUS;
   else

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+
+namespace emtr {
+
+/// The threads of one OpenMP region that lasts for a whole evolution. Between two pieces of work
+/// the others sleep: two regions an iteration would have them spin, which on a machine with other
+/// work to do is slower than one thread alone.
+class Team {
+ public:
+  /// Runs body(team) on the calling thread, with up to `threads` threads to help it. Throws what
+  /// the body throws.
+  static void with(int threads, const std::function<void(Team&)>& body);
+
+  /// Runs job(i, thread) once for each i < n, in any order, and returns when all are done. Throws
+  /// what the first failing job threw.
+  using Job = std::function<void(std::size_t i, std::size_t thread)>;
+  void parallel(std::size_t n, const Job& job);
+
+ private:
+  void follow(std::size_t thread);  ///< what the helpers do until they are dismissed
+  void work(std::size_t thread);
+  void dismiss();
+
+  std::mutex mutex_;
+  std::condition_variable wake_, idle_;
+  const Job* job_ = nullptr;
+  std::size_t size_ = 0;  // of the present piece of work
+  std::atomic<std::size_t> next_{0};
+  std::size_t busy_ = 0;   // helpers at it
+  std::size_t round_ = 0;  // pieces of work given out so far
+  bool open_ = false;      // helpers that wake too late for a piece leave it alone
+  bool dismissed_ = false;
+  std::exception_ptr failure_;
+};
+
+}  // namespace emtr
