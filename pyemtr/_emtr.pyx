@@ -1,0 +1,36 @@
+# cython: language_level=3, binding=True, embedsignature=False
+"""The C library, as directly as Python can hold it. Private: what users call is in the package.
+
+Arrays come and go by the buffer protocol, so the module is bound to no release of numpy.
+"""
+cimport cython
+from pyemtr.c_emtr cimport *
+from cpython.buffer cimport (
+    PyBUF_FORMAT, PyBUF_ND, PyBUF_STRIDES, PyBUF_WRITABLE, PyBuffer_Release, PyObject_GetBuffer)
+from cpython.exc cimport PyErr_CheckSignals
+
+include "errors.pxi"
+include "settings.pxi"
+include "cloud.pxi"
+include "progress.pxi"
+include "outcome.pxi"
+include "problem.pxi"
+
+
+def version():
+    """The library's version, "major.minor.patch"."""
+    return emtr_version().decode()
+
+
+def register(source, target, Settings settings not None, callback):
+    """emtr_register: float32 or float64 arrays (n, 3), the fields of a result as a dict."""
+    cdef CloudBuffer a = CloudBuffer(source)
+    cdef CloudBuffer b = CloudBuffer(target)
+    cdef Watch watch = Watch(callback)
+    cdef emtr_settings* chosen = &settings.values
+    cdef emtr_result* result = NULL
+    cdef emtr_status status
+    cdef void* user = <void*>watch
+    with nogil:
+        status = emtr_register(&a.cloud, &b.cloud, chosen, on_progress, user, &result)
+    return finish(status, watch, result)

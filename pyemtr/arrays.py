@@ -1,0 +1,86 @@
+"""What users hand over, as the arrays that the C library reads."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+def as_points(cloud: Any, name: str) -> NDArray[Any]:
+    """A cloud as float32 or float64 (N, 3), x y z side by side; the caller's memory if it can be.
+
+    Takes arrays of any real dtype, byte order and strides, nested lists, and objects with
+    ``.points``. Masked points become NaN, so that they are dropped and counted.
+
+    Raises:
+        TypeError: not numbers, or not real ones.
+        ValueError: not (N, 3).
+    """
+    array = _real_array(_points_of(cloud), name)
+    if array.ndim != 2 or array.shape[1] != 3:
+        hint = ""
+        if array.ndim == 2 and array.shape[0] == 3:
+            hint = f"; one point is one row, so transpose it: {name}.T"
+        raise ValueError(f"{name}: expected an array of shape (N, 3), got {array.shape}{hint}")
+    if array.dtype not in (np.dtype(np.float32), np.dtype(np.float64)):
+        array = array.astype(np.float32 if array.dtype == np.float16 else np.float64)
+    size = array.itemsize
+    if array.strides[1] != size or array.strides[0] < 3 * size:
+        array = np.ascontiguousarray(array)
+    return array
+
+
+def as_particles(particles: Any, genes: int) -> Floats:
+    """Particles as contiguous float64 (P, genes).
+
+    Raises:
+        TypeError: not numbers, or not real ones.
+        ValueError: another shape, or a NaN or an infinity.
+    """
+    return _shaped(particles, "particles", (None, genes))
+
+
+def as_vector(vector: Any, name: str, length: int) -> Floats:
+    """A vector as contiguous float64 (length,); raises as :func:`as_particles`."""
+    return _shaped(vector, name, (length,))
+
+
+def as_transformation(matrix: Any, name: str) -> Floats:
+    """A 4x4 matrix as contiguous float64; raises as :func:`as_particles`."""
+    return _shaped(matrix, name, (4, 4))
+
+
+def _points_of(cloud: Any) -> Any:
+    if hasattr(cloud, "points") and not hasattr(cloud, "__array__"):
+        return cloud.points
+    return cloud
+
+
+def _real_array(values: Any, name: str) -> NDArray[Any]:
+    try:
+        array = np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{name}: expected an array of numbers: {error}") from error
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name}: expected an array of real numbers, got dtype {array.dtype}"
+                        f" ({type(values).__name__})")
+    if isinstance(values, np.ma.MaskedArray):
+        return np.where(np.ma.getmaskarray(values), np.nan, array)
+    return array
+
+
+def _shaped(values: Any, name: str, shape: tuple[int | None, ...]) -> Floats:
+    array = np.ascontiguousarray(_real_array(values, name), dtype=np.float64)
+    fits = array.ndim == len(shape) and all(
+        wanted is None or wanted == got for wanted, got in zip(shape, array.shape))
+    if not fits:
+        wanted = ", ".join("P" if n is None else str(n) for n in shape)
+        comma = "," if len(shape) == 1 else ""
+        raise ValueError(f"{name}: expected an array of shape ({wanted}{comma}), got {array.shape}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: NaN or infinity is not allowed")
+    return array

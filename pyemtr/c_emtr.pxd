@@ -1,0 +1,147 @@
+# emtr.h as Cython sees it; the header says what each thing means.
+from libc.stdint cimport int32_t, uint64_t
+
+cdef extern from "emtr/emtr.h" nogil:
+    ctypedef enum emtr_status:
+        EMTR_OK
+        EMTR_ERROR_ARGUMENT
+        EMTR_ERROR_SETTING
+        EMTR_ERROR_CLOUD
+        EMTR_ERROR_MEMORY
+        EMTR_ERROR_INTERNAL
+
+    const char* emtr_status_text(emtr_status status)
+    const char* emtr_error_message()
+    const char* emtr_version()
+
+    ctypedef struct emtr_settings:
+        uint64_t seed
+        int32_t has_guess
+        double guess[16]
+
+    ctypedef enum emtr_setting_type:
+        EMTR_SETTING_INTEGER
+        EMTR_SETTING_REAL
+        EMTR_SETTING_SWITCH
+        EMTR_SETTING_CHOICE
+
+    ctypedef struct emtr_setting_info:
+        const char* name
+        emtr_setting_type type
+        const char* unit
+        double minimum
+        double maximum
+        double value
+        const char* section
+        const char* text
+        const char* choices
+
+    emtr_status emtr_settings_init(emtr_settings* settings, size_t size, const char* preset)
+    const char* emtr_preset_name(size_t index)
+    size_t emtr_setting_count()
+    emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info)
+    emtr_status emtr_setting_set(emtr_settings* settings, const char* name, double value)
+    emtr_status emtr_setting_get(const emtr_settings* settings, const char* name, double* value)
+
+    ctypedef enum emtr_scalar:
+        EMTR_FLOAT32
+        EMTR_FLOAT64
+
+    ctypedef struct emtr_cloud:
+        const void* points
+        size_t count
+        size_t stride
+        emtr_scalar scalar
+
+    ctypedef struct emtr_progress:
+        const char* stage
+        int32_t iteration
+        int32_t iterations
+        double best_alpha
+        double best_beta
+
+    ctypedef int (*emtr_progress_fn)(const emtr_progress* progress, void* user) noexcept
+
+    ctypedef enum emtr_reason:
+        EMTR_REASON_REGISTERED
+        EMTR_REASON_LOW_OVERLAP
+        EMTR_REASON_AMBIGUOUS
+        EMTR_REASON_FEW_MATCHES
+        EMTR_REASON_INTERRUPTED
+
+    const char* emtr_reason_text(emtr_reason reason)
+
+    ctypedef struct emtr_result:
+        double transformation[16]
+        int32_t registered
+        emtr_reason reason
+        double fitness, inlier_ratio_source, inlier_ratio_target, inlier_rmse, mode_gap
+        size_t points_source, points_target, dropped_source, dropped_target
+        size_t sparse_source, sparse_target, dense_source, dense_target
+        size_t correspondences, tims, tims_pruned
+        uint64_t lookups_evaluation, lookups_switch, lookups_complement
+        double scale
+        double center_source[3]
+        double center_target[3]
+        double leaf_sparse, leaf_dense
+        double seconds_frame, seconds_densities, seconds_features, seconds_matching
+        double seconds_evolution, seconds_verdict, seconds_total
+        size_t iterations
+        const double* history_alpha
+        const double* history_beta
+        uint64_t seed
+        int32_t threads
+
+    void emtr_result_free(emtr_result* result)
+    emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
+                              const emtr_settings* settings, emtr_progress_fn progress,
+                              void* user, emtr_result** result)
+
+    ctypedef struct emtr_problem:
+        pass
+
+    emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
+                                    const emtr_settings* settings, emtr_problem** problem)
+    void emtr_problem_free(emtr_problem* problem)
+    emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress, void* user,
+                                   emtr_result** result)
+
+    ctypedef enum emtr_stage:
+        EMTR_STAGE_SPARSE
+        EMTR_STAGE_DENSE
+
+    emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
+                                         const double* particles, size_t count, double* fitness)
+    emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particles,
+                                        size_t count, double* fitness)
+    emtr_status emtr_complement(emtr_problem* problem, const double* angles, double* translation)
+    emtr_status emtr_particle_to_transformation(const emtr_problem* problem,
+                                                const double* particle, double* transformation)
+    emtr_status emtr_transformation_to_particle(const emtr_problem* problem,
+                                                const double* transformation, double* particle)
+    uint64_t emtr_problem_lookups(const emtr_problem* problem)
+
+    ctypedef struct emtr_problem_info:
+        double scale
+        double center_source[3]
+        double center_target[3]
+        double leaf_sparse, leaf_dense, c_sparse, c_dense, tau
+        size_t tims, tims_pruned
+
+    emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info)
+
+    ctypedef enum emtr_array:
+        EMTR_SOURCE_SPARSE
+        EMTR_TARGET_SPARSE
+        EMTR_SOURCE_DENSE
+        EMTR_TARGET_DENSE
+        EMTR_SOURCE_NORMALS
+        EMTR_TARGET_NORMALS
+        EMTR_SOURCE_FEATURES
+        EMTR_TARGET_FEATURES
+        EMTR_CORRESPONDENCES
+        EMTR_TIM_SOURCE
+        EMTR_TIM_TARGET
+
+    emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which,
+                                   const void** data, size_t* rows, size_t* columns)

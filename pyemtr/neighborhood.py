@@ -1,0 +1,43 @@
+"""Spacing and tangent planes of a point cloud, for drawing it. Needs scipy."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .arrays import Floats
+
+_NEIGHBORS = 14  # of a point's tangent plane
+
+
+def neighbor_tree(points: Floats) -> Any:
+    """scipy's cKDTree over points (N, 3)."""
+    from scipy.spatial import cKDTree
+
+    return cKDTree(points)
+
+
+def surface_normals(points: Floats) -> Floats:
+    """Unit normals (N, 3) of the planes through each point's neighbours, of either sign."""
+    count = min(_NEIGHBORS, len(points))
+    _, neighbors = neighbor_tree(points).query(points, k=[i + 1 for i in range(count)])
+    patches = points[neighbors]
+    patches = patches - patches.mean(axis=1, keepdims=True)
+    covariances = np.einsum("nki,nkj->nij", patches, patches)
+    return np.asarray(np.linalg.eigh(covariances)[1][:, :, 0], dtype=np.float64)
+
+
+def spacing(points: Floats) -> float:
+    """Median distance of a point (N, 3) to its nearest neighbour; 0 for a single point."""
+    if len(points) < 2:
+        return 0.0
+    some = points[:: max(1, len(points) // 20000)]
+    return float(np.median(neighbor_tree(points).query(some, k=2)[0][:, 1]))
+
+
+def thinned(points: Floats, count: int) -> Floats:
+    """At most ``count`` of the points, evenly over their rows."""
+    if len(points) <= count:
+        return points
+    return points[np.linspace(0, len(points) - 1, count).astype(np.int64)]

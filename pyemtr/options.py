@@ -1,0 +1,136 @@
+"""The settings: what there is, and how keyword arguments become what the C library reads."""
+
+from __future__ import annotations
+
+import difflib
+import numbers
+import operator
+from dataclasses import dataclass
+from typing import Any, Mapping, Union
+
+import numpy as np
+
+from . import _emtr
+from .arrays import as_transformation
+
+Value = Union[int, float, bool, str]
+
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One setting. ``minimum`` and ``maximum`` are inclusive, ``default`` is preset "paper"'s.
+
+    ``type`` is "integer", "real", "switch" (False or True) or "choice" (one of ``choices``).
+    ``section`` is the part of the method it belongs to; lengths are never in the cloud's own unit.
+    """
+
+    name: str
+    type: str
+    unit: str
+    minimum: float
+    maximum: float
+    default: Value
+    section: str
+    text: str
+    choices: tuple[str, ...]
+
+
+def settings() -> dict[str, Setting]:
+    """Every setting by name, in the library's order."""
+    found = {}
+    for name, kind, unit, low, high, value, section, text, choices in _emtr.describe_settings():
+        names = tuple(part.strip() for part in choices.split(",")) if choices else ()
+        found[name] = Setting(name, kind, unit, low, high, _plain(kind, value, names), section,
+                              text, names)
+    return found
+
+
+def presets() -> list[str]:
+    """Names for the argument ``preset``."""
+    return _emtr.preset_names()
+
+
+def make_settings(seed: int, threads: int, preset: str, guess: Any,
+                  changes: Mapping[str, Value]) -> _emtr.Settings:
+    """A preset with the changes made.
+
+    Raises:
+        TypeError: an unknown setting (close names are listed), or a value of a wrong type.
+        ValueError: a value out of range, an unknown preset, a guess that is not (4, 4).
+    """
+    if not isinstance(preset, str):
+        raise TypeError(f"preset: a name is expected, got {type(preset).__name__}")
+    chosen = _emtr.Settings(preset)
+    known = settings()
+    for name, value in changes.items():
+        if name not in known:
+            raise TypeError(_unknown(name, list(known)))
+        chosen.set(name, _number(known[name], value))
+    chosen.set("threads", float(_whole("threads", threads)))
+    chosen.seed = _seed(seed)
+    if guess is not None:
+        chosen.guess = as_transformation(guess, "guess").reshape(16)
+    return chosen
+
+
+def settings_used(chosen: _emtr.Settings) -> dict[str, Any]:
+    """All settings by name, as keyword arguments that repeat the run; guess: lists or None."""
+    used: dict[str, Any] = {}
+    for name, setting in settings().items():
+        used[name] = _plain(setting.type, chosen.get(name), setting.choices)
+    used["seed"] = chosen.seed  # exact, where a double is not
+    guess = chosen.guess
+    used["guess"] = None if guess is None else [guess[i:i + 4] for i in range(0, 16, 4)]
+    return used
+
+
+def _plain(kind: str, value: float, choices: tuple[str, ...]) -> Value:
+    if kind == "real":
+        return value
+    if kind == "switch":
+        return bool(value)
+    return choices[int(value)] if kind == "choice" else int(value)
+
+
+def _number(setting: Setting, value: Any) -> float:
+    """The value as the number that the library takes; it checks the range itself."""
+    if isinstance(value, (bool, np.bool_)):
+        if setting.type != "switch":
+            raise TypeError(f"{setting.name}: expected a number, got {value!r}")
+        return float(value)
+    if setting.type == "choice" and isinstance(value, str):
+        if value not in setting.choices:
+            raise ValueError(f"{setting.name}: expected one of {', '.join(setting.choices)},"
+                             f" got {value!r}")
+        return float(setting.choices.index(value))
+    if setting.type != "real":
+        return float(_whole(setting.name, value))
+    if not isinstance(value, numbers.Real):
+        raise TypeError(f"{setting.name}: expected a number, got {value!r}")
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{setting.name}: {value!r} is out of range") from None
+
+
+def _whole(name: str, value: Any) -> int:
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise TypeError(f"{name}: expected an integer, got {value!r}")
+    whole = operator.index(value)
+    if abs(whole) >= 2**64:
+        raise ValueError(f"{name}: {value!r} is out of range")
+    return whole
+
+
+def _seed(value: Any) -> int:
+    whole = _whole("seed", value)
+    if whole < 0:
+        raise ValueError(f"seed: expected 0 <= seed < 2**64, got {value!r}")
+    return whole
+
+
+def _unknown(name: str, known: list[str]) -> str:
+    close = difflib.get_close_matches(name, known + ["preset", "guess"], n=3)
+    hint = f"did you mean {' or '.join(close)}?" if close else "see pyemtr.settings()"
+    return f"unknown setting {name!r}; {hint}"

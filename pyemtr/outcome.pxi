@@ -1,0 +1,55 @@
+# emtr_result as a dict of plain Python values.
+
+REASONS = {EMTR_REASON_REGISTERED: "registered", EMTR_REASON_LOW_OVERLAP: "low_overlap",
+           EMTR_REASON_AMBIGUOUS: "ambiguous", EMTR_REASON_FEW_MATCHES: "few_matches",
+           EMTR_REASON_INTERRUPTED: "interrupted"}
+
+
+cdef list listed(const double* values, size_t count):
+    return [values[i] for i in range(count)]
+
+
+cdef dict fields(const emtr_result* r):
+    return {
+        "transformation": listed(r.transformation, 16),
+        "registered": bool(r.registered),
+        "reason": REASONS[r.reason],
+        "reason_text": emtr_reason_text(r.reason).decode(),
+        "fitness": r.fitness,
+        "inlier_ratio_source": r.inlier_ratio_source,
+        "inlier_ratio_target": r.inlier_ratio_target,
+        "inlier_rmse": r.inlier_rmse,
+        "mode_gap": r.mode_gap,
+        "points_source": r.points_source, "points_target": r.points_target,
+        "dropped_source": r.dropped_source, "dropped_target": r.dropped_target,
+        "sparse_source": r.sparse_source, "sparse_target": r.sparse_target,
+        "dense_source": r.dense_source, "dense_target": r.dense_target,
+        "correspondences": r.correspondences,
+        "tims": r.tims, "tims_pruned": r.tims_pruned,
+        "lookups": {"evaluation": r.lookups_evaluation, "switch": r.lookups_switch,
+                    "complement": r.lookups_complement},
+        "scale": r.scale,
+        "center_source": listed(r.center_source, 3),
+        "center_target": listed(r.center_target, 3),
+        "leaf_sparse": r.leaf_sparse, "leaf_dense": r.leaf_dense,
+        "timings": {"frame": r.seconds_frame, "densities": r.seconds_densities,
+                    "features": r.seconds_features, "matching": r.seconds_matching,
+                    "evolution": r.seconds_evolution, "verdict": r.seconds_verdict,
+                    "total": r.seconds_total},
+        "iterations": r.iterations,
+        "history": {"alpha": listed(r.history_alpha, r.iterations),
+                    "beta": listed(r.history_beta, r.iterations)},
+        "seed": r.seed,
+        "threads": r.threads,
+    }
+
+
+cdef dict finish(emtr_status status, Watch watch, emtr_result* result):
+    # What the callback raised comes first: it is why the run ended.
+    try:
+        if watch.error is not None:
+            raise watch.error
+        check(status)
+        return fields(result)
+    finally:
+        emtr_result_free(result)

@@ -1,0 +1,146 @@
+# emtr_problem: the stages one by one.
+
+ARRAYS = {
+    "source_sparse": EMTR_SOURCE_SPARSE, "target_sparse": EMTR_TARGET_SPARSE,
+    "source_dense": EMTR_SOURCE_DENSE, "target_dense": EMTR_TARGET_DENSE,
+    "source_normals": EMTR_SOURCE_NORMALS, "target_normals": EMTR_TARGET_NORMALS,
+    "source_features": EMTR_SOURCE_FEATURES, "target_features": EMTR_TARGET_FEATURES,
+    "correspondences": EMTR_CORRESPONDENCES,
+    "tim_source": EMTR_TIM_SOURCE, "tim_target": EMTR_TIM_TARGET}
+
+
+@cython.final
+cdef class Problem:
+    """Owns an emtr_problem. The caller lets one thread in at a time."""
+    cdef emtr_problem* problem
+
+    def __init__(self, source, target, Settings settings not None):
+        cdef CloudBuffer a = CloudBuffer(source)
+        cdef CloudBuffer b = CloudBuffer(target)
+        cdef emtr_settings* chosen = &settings.values
+        cdef emtr_problem* made = NULL
+        cdef emtr_status status
+        if self.problem != NULL:
+            raise RuntimeError("a problem is made once")
+        with nogil:
+            status = emtr_problem_create(&a.cloud, &b.cloud, chosen, &made)
+        check(status)
+        self.problem = made
+
+    def __dealloc__(self):
+        emtr_problem_free(self.problem)
+
+    def solve(self, callback):
+        cdef Watch watch = Watch(callback)
+        cdef emtr_result* result = NULL
+        cdef emtr_status status
+        cdef void* user = <void*>watch
+        with nogil:
+            status = emtr_problem_solve(self.problem, on_progress, user, &result)
+        return finish(status, watch, result)
+
+    def evaluate_alpha(self, bint dense, const double[:, ::1] particles, double[::1] fitness):
+        cdef size_t count = particles.shape[0]
+        cdef emtr_stage stage = EMTR_STAGE_DENSE if dense else EMTR_STAGE_SPARSE
+        cdef emtr_status status
+        cdef const double* genes
+        cdef double* values
+        self.agree(particles, fitness, 6)
+        if count:
+            genes, values = &particles[0, 0], &fitness[0]
+            with nogil:
+                status = emtr_task_alpha_evaluate(self.problem, stage, genes, count, values)
+            check(status)
+
+    def evaluate_beta(self, const double[:, ::1] particles, double[::1] fitness):
+        cdef size_t count = particles.shape[0]
+        cdef emtr_status status
+        cdef const double* genes
+        cdef double* values
+        self.agree(particles, fitness, 3)
+        if count:
+            genes, values = &particles[0, 0], &fitness[0]
+            with nogil:
+                status = emtr_task_beta_evaluate(self.problem, genes, count, values)
+            check(status)
+
+    cdef int agree(self, const double[:, ::1] particles, double[::1] fitness, genes) except -1:
+        if particles.shape[1] != genes or fitness.shape[0] != particles.shape[0]:
+            raise ValueError(f"particles of {genes} genes and as many fitness values are expected")
+        return 0
+
+    def complement(self, double a, double b, double c):
+        cdef double[3] angles = [a, b, c]
+        cdef double[3] translation = [0, 0, 0]
+        cdef emtr_status status
+        with nogil:
+            status = emtr_complement(self.problem, angles, translation)
+        check(status)
+        return listed(translation, 3)
+
+    def to_transformation(self, const double[::1] particle):
+        cdef double[16] transformation
+        if particle.shape[0] != 6:
+            raise ValueError("6 genes are expected")
+        check(emtr_particle_to_transformation(self.problem, &particle[0], transformation))
+        return listed(transformation, 16)
+
+    def to_particle(self, const double[::1] transformation):
+        cdef double[6] particle
+        if transformation.shape[0] != 16:
+            raise ValueError("16 numbers are expected")
+        check(emtr_transformation_to_particle(self.problem, &transformation[0], particle))
+        return listed(particle, 6)
+
+    def lookups(self):
+        return emtr_problem_lookups(self.problem)
+
+    def describe(self):
+        cdef emtr_problem_info info
+        check(emtr_problem_describe(self.problem, &info))
+        return {"scale": info.scale,
+                "center_source": listed(info.center_source, 3),
+                "center_target": listed(info.center_target, 3),
+                "leaf_sparse": info.leaf_sparse, "leaf_dense": info.leaf_dense,
+                "c_sparse": info.c_sparse, "c_dense": info.c_dense, "tau": info.tau,
+                "tims": info.tims, "tims_pruned": info.tims_pruned}
+
+    def array(self, str name not None):
+        return ArrayView(self, name)
+
+
+@cython.final
+cdef class ArrayView:
+    """One array of a problem by the buffer protocol, read-only; keeps the problem alive."""
+    cdef Problem owner
+    cdef const void* data
+    cdef Py_ssize_t shape[2]
+    cdef Py_ssize_t strides[2]
+    cdef bint whole
+
+    def __init__(self, Problem owner not None, str name not None):
+        cdef size_t rows = 0
+        cdef size_t columns = 0
+        check(emtr_problem_array(owner.problem, ARRAYS[name], &self.data, &rows, &columns))
+        self.owner = owner
+        self.whole = name == "correspondences"
+        self.shape[0], self.shape[1] = rows, columns
+        self.strides[0], self.strides[1] = 4 * columns, 4
+
+    def __getbuffer__(self, Py_buffer* view, int flags):
+        if flags & PyBUF_WRITABLE:
+            raise BufferError("a problem's arrays are read-only")
+        # An array without rows may have no memory; Python wants an address all the same.
+        view.buf = <void*>self.data if self.data != NULL else <void*>self.shape
+        view.obj = self
+        view.len = 4 * self.shape[0] * self.shape[1]
+        view.itemsize = 4
+        view.readonly = 1
+        view.format = NULL
+        if flags & PyBUF_FORMAT:
+            view.format = b"i" if self.whole else b"f"
+        view.ndim = 2
+        view.shape = self.shape if flags & PyBUF_ND else NULL
+        view.strides = self.strides if (flags & PyBUF_STRIDES) == PyBUF_STRIDES else NULL
+        view.suboffsets = NULL
+        view.internal = NULL

@@ -1,0 +1,53 @@
+"""One call from two clouds to a pose."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import _emtr
+from .arrays import as_points
+from .options import Value, make_settings, settings_used
+from .progress import Callback, as_raw_callback
+from .result import Result, make_result
+
+
+def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
+             preset: str = "paper", guess: Any = None, callback: Callback | None = None,
+             **settings: Value) -> Result:
+    """Registers two partially overlapping clouds by EMTR-SSC, from any starting pose.
+
+    The same clouds and seed give the same bits, for any number of threads. The GIL is released
+    while the library works.
+
+    Args:
+        source: points (N, 3) in any unit: an array of any real dtype, byte order and strides,
+            nested lists, or an object with ``.points`` (an Open3D cloud). float32 and float64
+            rows are read in place, all else is copied once. Points with a NaN or an infinity
+            (or masked ones) are dropped and counted.
+        target: likewise, (M, 3).
+        seed: 0 <= seed < 2**64.
+        threads: 0 for as many as the machine has; the result does not depend on it.
+        preset: one of :func:`pyemtr.presets`.
+        guess: (4, 4), source into target, in the clouds' unit: tried as one hypothesis, not a
+            place that the search stays near.
+        callback: called with a :class:`pyemtr.Progress` before each stage and after each
+            iteration. Return True to stop: the result then has the reason "interrupted". What
+            it raises stops the run and reaches the caller. Ctrl-C is looked at as often, with
+            or without a callback.
+        **settings: any of :func:`pyemtr.settings` by name.
+
+    Returns:
+        A :class:`pyemtr.Result`, whether registered or not; its ``transformation`` maps source
+        into target, q = R p + t.
+
+    Raises:
+        TypeError: an argument of a wrong type, an unknown setting.
+        ValueError: a wrong shape, a value out of range, a cloud that cannot be registered
+            (fewer than 10 finite points, all on one point or one line).
+        MemoryError: an allocation failed.
+        RuntimeError: a defect of the library.
+    """
+    chosen = make_settings(seed, threads, preset, guess, settings)
+    raw = _emtr.register(as_points(source, "source"), as_points(target, "target"), chosen,
+                         as_raw_callback(callback))
+    return make_result(raw, settings_used(chosen))

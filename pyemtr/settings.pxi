@@ -1,0 +1,66 @@
+# emtr_settings, by name.
+
+SETTING_TYPES = {EMTR_SETTING_INTEGER: "integer", EMTR_SETTING_REAL: "real",
+                 EMTR_SETTING_SWITCH: "switch", EMTR_SETTING_CHOICE: "choice"}
+
+
+def preset_names():
+    """Names of the presets, in the library's order."""
+    names = []
+    cdef const char* name = emtr_preset_name(0)
+    while name != NULL:
+        names.append(name.decode())
+        name = emtr_preset_name(len(names))
+    return names
+
+
+def describe_settings():
+    """One tuple a setting: name, type, unit, minimum, maximum, value, section, text, choices."""
+    cdef emtr_setting_info info
+    found = []
+    for index in range(emtr_setting_count()):
+        check(emtr_setting_describe(index, &info))
+        found.append((info.name.decode(), SETTING_TYPES[info.type], info.unit.decode(),
+                      info.minimum, info.maximum, info.value, info.section.decode(),
+                      info.text.decode(), info.choices.decode()))
+    return found
+
+
+@cython.final
+cdef class Settings:
+    """A preset, to be changed."""
+    cdef emtr_settings values
+
+    def __init__(self, str preset not None):
+        check(emtr_settings_init(&self.values, sizeof(emtr_settings), preset.encode()))
+
+    def set(self, str name not None, double value):
+        check(emtr_setting_set(&self.values, name.encode(), value))
+
+    def get(self, str name not None):
+        cdef double value = 0
+        check(emtr_setting_get(&self.values, name.encode(), &value))
+        return value
+
+    @property
+    def seed(self):
+        return self.values.seed
+
+    @seed.setter
+    def seed(self, uint64_t value):
+        self.values.seed = value
+
+    @property
+    def guess(self):
+        """16 numbers, row-major, or None."""
+        if not self.values.has_guess:
+            return None
+        return [self.values.guess[i] for i in range(16)]
+
+    @guess.setter
+    def guess(self, const double[::1] value):
+        if value.shape[0] != 16:
+            raise ValueError("guess: 16 numbers are expected")
+        for i in range(16):
+            self.values.guess[i] = value[i]
+        self.values.has_guess = 1

@@ -1,0 +1,70 @@
+"""The two tasks as functions of particles, for another optimiser to drive."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .arrays import Floats
+from .options import Value
+from .problem import Problem
+
+_ANGLES = [(-np.pi, np.pi), (-np.pi / 2, np.pi / 2), (-np.pi, np.pi)]
+
+
+class TaskAlpha:
+    """M-estimator chamfer distance over SE(3), 6 genes (theta1, theta2, theta3, tx, ty, tz).
+
+    Args:
+        source_or_problem: a :class:`Problem`, or a source cloud with ``target`` beside it.
+        target: the target cloud; None with a Problem.
+        stage: "dense" (both directions) or "sparse" (source to target only).
+        **settings: of a new Problem (seed, threads, preset, guess and any setting).
+    """
+
+    def __init__(self, source_or_problem: Any, target: Any = None, stage: str = "dense",
+                 **settings: Value) -> None:
+        if stage not in ("sparse", "dense"):
+            raise ValueError(f'stage: expected "sparse" or "dense", got {stage!r}')
+        self.problem: Problem = _problem_of(source_or_problem, target, settings)
+        self.stage: str = stage
+
+    @property
+    def bounds(self) -> Floats:
+        """The search box of the swarm: float64 (6, 2), lowest and highest of each gene.
+
+        No border of the fitness: angles are periodic, translations unlimited.
+        """
+        reach = float(self.problem.settings["translation_bound"])
+        return np.array(_ANGLES + [(-reach, reach)] * 3, dtype=np.float64)
+
+    def evaluate(self, particles: Any) -> Floats:
+        """(P, 6) to float64 (P,), lower is better; see :meth:`Problem.evaluate_alpha`."""
+        return self.problem.evaluate_alpha(particles, self.stage)
+
+
+class TaskBeta:
+    """Consensus of TIMs over SO(3), 3 genes (theta1, theta2, theta3); arguments as TaskAlpha."""
+
+    def __init__(self, source_or_problem: Any, target: Any = None, **settings: Value) -> None:
+        self.problem: Problem = _problem_of(source_or_problem, target, settings)
+
+    @property
+    def bounds(self) -> Floats:
+        """The search box of the swarm: float64 (3, 2)."""
+        return np.array(_ANGLES, dtype=np.float64)
+
+    def evaluate(self, particles: Any) -> Floats:
+        """(P, 3) to float64 (P,), lower is better; see :meth:`Problem.evaluate_beta`."""
+        return self.problem.evaluate_beta(particles)
+
+
+def _problem_of(source_or_problem: Any, target: Any, settings: dict[str, Any]) -> Problem:
+    if not isinstance(source_or_problem, Problem):
+        if target is None:
+            raise TypeError("target: expected a cloud beside the source cloud")
+        return Problem(source_or_problem, target, **settings)
+    if target is not None or settings:
+        raise TypeError("a Problem brings its own target and settings; give neither beside it")
+    return source_or_problem

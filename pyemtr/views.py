@@ -1,0 +1,134 @@
+"""What a Problem shows of itself."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .arrays import Floats
+
+Singles = NDArray[np.float32]
+
+
+class ProblemViews(ABC):
+    """Figures, and arrays that are read-only views: they keep the problem's memory alive.
+
+    All lengths but ``scale`` and the centres are in the normalised frame.
+    """
+
+    @abstractmethod
+    def _array(self, name: str) -> NDArray[Any]: ...
+
+    @abstractmethod
+    def _describe(self) -> dict[str, Any]: ...
+
+    def _number(self, name: str) -> float:
+        return float(self._describe()[name])
+
+    @property
+    def source_sparse(self) -> Singles:
+        """float32 (n, 3)."""
+        return self._array("source_sparse")
+
+    @property
+    def target_sparse(self) -> Singles:
+        """float32 (n, 3)."""
+        return self._array("target_sparse")
+
+    @property
+    def source_dense(self) -> Singles:
+        """float32 (n, 3); also the cloud that is described by features."""
+        return self._array("source_dense")
+
+    @property
+    def target_dense(self) -> Singles:
+        """float32 (n, 3); also the cloud that is described by features."""
+        return self._array("target_dense")
+
+    @property
+    def source_normals(self) -> Singles:
+        """float32 (n, 3), by rows of the dense cloud; NaN where there is none."""
+        return self._array("source_normals")
+
+    @property
+    def target_normals(self) -> Singles:
+        """float32 (n, 3), by rows of the dense cloud; NaN where there is none."""
+        return self._array("target_normals")
+
+    @property
+    def source_features(self) -> Singles:
+        """FPFH, float32 (n, 33), by rows of the dense cloud; NaN where there is none."""
+        return self._array("source_features")
+
+    @property
+    def target_features(self) -> Singles:
+        """FPFH, float32 (n, 33), by rows of the dense cloud; NaN where there is none."""
+        return self._array("target_features")
+
+    @property
+    def correspondences(self) -> NDArray[np.int32]:
+        """int32 (k, 2): rows of the source's and the target's dense cloud."""
+        return self._array("correspondences")
+
+    @property
+    def tim_source(self) -> Singles:
+        """float32 (l, 3): p_k - p_j of the pairs of correspondences that are not pruned."""
+        return self._array("tim_source")
+
+    @property
+    def tim_target(self) -> Singles:
+        """float32 (l, 3): q_k - q_j, row by row with ``tim_source``."""
+        return self._array("tim_target")
+
+    @property
+    def scale(self) -> float:
+        """p' = (p - center) / scale; the clouds' unit."""
+        return self._number("scale")
+
+    @property
+    def center_source(self) -> Floats:
+        """float64 (3,), the clouds' unit."""
+        return np.array(self._describe()["center_source"], dtype=np.float64)
+
+    @property
+    def center_target(self) -> Floats:
+        """float64 (3,), the clouds' unit."""
+        return np.array(self._describe()["center_target"], dtype=np.float64)
+
+    @property
+    def leaf_sparse(self) -> float:
+        """Edge of the sparse clouds' voxels."""
+        return self._number("leaf_sparse")
+
+    @property
+    def leaf_dense(self) -> float:
+        """Edge of the dense clouds' voxels."""
+        return self._number("leaf_dense")
+
+    @property
+    def c_sparse(self) -> float:
+        """Scale c of the M-estimator in the S stage."""
+        return self._number("c_sparse")
+
+    @property
+    def c_dense(self) -> float:
+        """Scale c of the M-estimator in the D stage."""
+        return self._number("c_dense")
+
+    @property
+    def tau(self) -> float:
+        """Noise bound of task beta."""
+        return self._number("tau")
+
+    @property
+    def tims(self) -> int:
+        """Translation invariant measurements formed, pruned ones included."""
+        return int(self._describe()["tims"])
+
+    @property
+    def tims_pruned(self) -> int:
+        """Those that can be an inlier of no rotation; not in the arrays."""
+        return int(self._describe()["tims_pruned"])

@@ -1,0 +1,159 @@
+"""Progress, stopping, exceptions and Ctrl-C; the GIL is free in between."""
+
+import gc
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+import weakref
+
+import numpy as np
+import pyemtr
+import pytest
+from children import environment
+
+STAGES = ["frame", "densities", "features", "matching", "evolution", "verdict"]
+
+
+def test_each_stage_and_iteration_is_told(pair):
+    seen = []
+    result = pyemtr.register(pair.source, pair.target, iterations=8, threads=2,
+                             callback=seen.append)
+    assert list(dict.fromkeys(step.stage for step in seen)) == STAGES
+    evolution = [step for step in seen if step.stage == "evolution"]
+    assert [step.iteration for step in evolution] == list(range(9))
+    assert all(isinstance(step, pyemtr.Progress) and step.iterations == 8 for step in evolution)
+    assert [step.best_alpha for step in evolution[1:]] == result.history["alpha"].tolist()
+    assert [step.best_beta for step in evolution[1:]] == result.history["beta"].tolist()
+    assert result.iterations == 8
+
+
+def test_watching_changes_no_bit(pair):
+    alone = pyemtr.register(pair.source, pair.target, iterations=8, threads=2)
+    watched = pyemtr.register(pair.source, pair.target, iterations=8, threads=2,
+                              callback=lambda progress: None)
+    assert alone.transformation.tobytes() == watched.transformation.tobytes()
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_true_stops_at_any_stage(pair, stage):
+    result = pyemtr.register(pair.source, pair.target, iterations=8, threads=2,
+                             callback=lambda progress: progress.stage == stage)
+    assert result.reason == "interrupted" and not result.registered
+    assert result.iterations == (8 if stage == "verdict" else 0)
+    assert np.isnan(result.transformation).all() == (stage != "verdict")
+
+
+def test_stopped_between_iterations_the_best_pose_so_far_is_given(pair):
+    result = pyemtr.register(pair.source, pair.target, iterations=50, threads=2,
+                             callback=lambda progress: progress.iteration == 5)
+    assert result.reason == "interrupted" and result.iterations == 5
+    assert len(result.history["alpha"]) == 5 and np.isfinite(result.transformation).all()
+    problem = pyemtr.Problem(pair.source, pair.target, iterations=50, threads=2)
+    again = problem.solve(lambda progress: progress.iteration == 5)
+    assert again.transformation.tobytes() == result.transformation.tobytes()
+
+
+class Oops(Exception):
+    pass
+
+
+@pytest.mark.parametrize("stage", STAGES)
+@pytest.mark.parametrize("error", [Oops("mine"), SystemExit(3), KeyboardInterrupt()])
+def test_what_the_callback_raises_reaches_the_caller(pair, stage, error):
+    calls = []
+
+    def callback(progress):
+        calls.append(progress)
+        if progress.stage == stage:
+            raise error
+
+    with pytest.raises(type(error)) as caught:
+        pyemtr.register(pair.source, pair.target, iterations=8, threads=2, callback=callback)
+    assert caught.value is error
+    assert [step.stage for step in calls].count(stage) == 1  # it was not called again
+
+
+def test_nothing_of_a_failed_run_is_kept(pair):
+    class Callback:
+        def __call__(self, progress):
+            raise Oops
+
+    callback = Callback()
+    alive = weakref.ref(callback)
+    with pytest.raises(Oops):
+        pyemtr.register(pair.source, pair.target, callback=callback)
+    del callback
+    gc.collect()
+    assert alive() is None
+
+
+def test_a_problem_is_not_entered_again_from_its_own_callback(pair):
+    problem = pyemtr.Problem(pair.source, pair.target, iterations=3, threads=2)
+
+    def callback(progress):
+        assert problem.lookups >= 0  # to look is allowed
+        problem.evaluate_beta(np.zeros((1, 3)))
+
+    with pytest.raises(RuntimeError, match="callback"):
+        problem.solve(callback)
+    assert len(problem.evaluate_beta(np.zeros((1, 3)))) == 1  # and it works again afterwards
+
+
+def test_other_threads_run_meanwhile(pair):
+    """The longest a second thread is held up is far less than the run, which calls back rarely."""
+    stamps, done = [], threading.Event()
+
+    def tick():
+        while not done.is_set():
+            stamps.append(time.perf_counter())
+            time.sleep(0.001)
+
+    problem = pyemtr.Problem(pair.source, pair.target, threads=1)
+    particles = np.random.default_rng(0).uniform(-1, 1, (30000, 6))
+    ticker = threading.Thread(target=tick)
+    ticker.start()
+    start = time.perf_counter()
+    problem.evaluate_alpha(particles)  # one call of C without any callback
+    end = time.perf_counter()
+    done.set()
+    ticker.join()
+    during = [stamp for stamp in stamps if start < stamp < end]
+    assert end - start > 0.1 and len(during) > 10
+
+
+CHILD = """
+    import signal, numpy, shapes, pyemtr
+    pair = shapes.make_pair(1)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have it ignored
+    callback = {callback}
+    try:
+        {run}
+    except KeyboardInterrupt:
+        print("interrupted", flush=True)
+"""
+RUNS = {
+    "register": "print('ready', flush=True); pyemtr.register(pair.source, pair.target, "
+                "iterations=1000000, threads=1, callback=callback)",
+    "solve": "problem = pyemtr.Problem(pair.source, pair.target, iterations=1000000, threads=1); "
+             "print('ready', flush=True); problem.solve(callback)",
+}
+
+
+@pytest.mark.parametrize("callback", ["None", "lambda progress: None"])
+@pytest.mark.parametrize("run", RUNS)
+def test_ctrl_c(run, callback, tmp_path):
+    code = textwrap.dedent(CHILD).format(run=RUNS[run], callback=callback)
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
+                          env=environment(), cwd=tmp_path) as child:
+        try:
+            assert child.stdout.readline() == "ready\n"
+            time.sleep(1)
+            assert child.poll() is None  # a million iterations take hours
+            child.send_signal(signal.SIGINT)
+            out, _ = child.communicate(timeout=60)
+        finally:
+            child.kill()
+    assert out == "interrupted\n" and child.returncode == 0

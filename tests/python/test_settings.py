@@ -1,0 +1,101 @@
+"""Settings by name: described, checked, and nothing passed over in silence."""
+
+import math
+
+import numpy as np
+import pyemtr
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from pyemtr.options import make_settings, settings_used
+
+ALL = pyemtr.settings()
+CLOUD = np.random.default_rng(1).normal(size=(200, 3))
+
+
+def used(**changes):
+    return settings_used(make_settings(0, 0, "paper", None, changes))
+
+
+def test_every_setting_is_described():
+    assert {"seed", "threads", "dense_points", "neighbors", "transfer"} <= set(ALL)
+    for name, setting in ALL.items():
+        assert setting.name == name and setting.text
+        assert setting.type in ("integer", "real", "switch", "choice")
+        assert setting.minimum <= setting.maximum
+    assert isinstance(ALL["transfer"].default, bool)
+    assert ALL["neighbors"].default in ALL["neighbors"].choices
+    assert ALL["population"].default == 50 and isinstance(ALL["population"].default, int)
+
+
+def test_the_defaults_are_the_paper_preset():
+    assert "paper" in pyemtr.presets()
+    assert used() == {**{name: setting.default for name, setting in ALL.items()}, "guess": None}
+
+
+@settings(max_examples=300, deadline=None)
+@given(data=st.data(), name=st.sampled_from(sorted(set(ALL) - {"seed", "threads"})))
+def test_a_value_in_range_is_kept_and_one_outside_is_refused(data, name):
+    setting = ALL[name]
+    low, high = setting.minimum, setting.maximum
+    if setting.type == "real":
+        value = data.draw(st.floats(low, high))
+        outside = [math.nextafter(low, -math.inf), math.nextafter(high, math.inf), math.nan,
+                   math.inf, -math.inf]
+    else:
+        value = data.draw(st.integers(int(low), int(high)))
+        outside = [int(low) - 1, int(high) + 1, 2**63, -(2**40)]
+    found = make_settings(0, 0, "paper", None, {name: value}).get(name)
+    assert found == value
+    with pytest.raises(ValueError, match=name):
+        used(**{name: data.draw(st.sampled_from(outside))})
+
+
+@pytest.mark.parametrize("name, value, stored", [
+    ("neighbors", "kdtree", "kdtree"), ("neighbors", 2, "brute"),
+    ("transfer", False, False), ("transfer", np.bool_(False), False), ("transfer", 0, False),
+    ("population", np.int16(20), 20), ("tau_factor", np.float32(0.25), 0.25),
+    ("tau_factor", 2, 2.0)])
+def test_python_values(name, value, stored):
+    assert used(**{name: value})[name] == stored
+
+
+@pytest.mark.parametrize("name, value, error", [
+    ("neighbors", "octree", ValueError), ("transfer", 2, ValueError),
+    ("population", True, TypeError), ("tau_factor", True, TypeError),
+    ("population", 20.5, TypeError), ("population", "20", TypeError),
+    ("tau_factor", "0.5", TypeError), ("tau_factor", None, TypeError),
+    ("tau_factor", 1j, TypeError), ("tau_factor", 10**400, ValueError),
+    ("population", 10**400, ValueError), ("transfer", "yes", TypeError)])
+def test_bad_values_name_the_setting(name, value, error):
+    with pytest.raises(error, match=name):
+        pyemtr.register(CLOUD, CLOUD, **{name: value})
+
+
+def test_an_unknown_setting_lists_close_ones():
+    with pytest.raises(TypeError, match="populaton.*population"):
+        pyemtr.register(CLOUD, CLOUD, populaton=20)
+    with pytest.raises(TypeError, match="pyemtr.settings"):
+        pyemtr.Problem(CLOUD, CLOUD, xyzzy=1)
+
+
+@pytest.mark.parametrize("arguments, error, text", [
+    ({"seed": -1}, ValueError, "seed"), ({"seed": 2**64}, ValueError, "seed"),
+    ({"seed": 1.0}, TypeError, "seed"), ({"seed": "1"}, TypeError, "seed"),
+    ({"seed": True}, TypeError, "seed"), ({"seed": None}, TypeError, "seed"),
+    ({"threads": -1}, ValueError, "threads"), ({"threads": 1.5}, TypeError, "threads"),
+    ({"threads": 2**40}, ValueError, "threads"),
+    ({"preset": "papers"}, ValueError, "papers"), ({"preset": 3}, TypeError, "preset"),
+    ({"guess": np.eye(3)}, ValueError, r"guess.*\(4, 4\).*\(3, 3\)"),
+    ({"guess": np.full((4, 4), np.nan)}, ValueError, "guess"),
+    ({"guess": 2 * np.eye(4)}, ValueError, "guess"),
+    ({"guess": "identity"}, TypeError, "guess"),
+    ({"callback": 3}, TypeError, "callback")])
+def test_bad_arguments_are_named(arguments, error, text):
+    with pytest.raises(error, match=text):
+        pyemtr.register(CLOUD, CLOUD, **arguments)
+
+
+def test_contradictions_are_refused():
+    with pytest.raises(ValueError, match="complement_scale"):
+        pyemtr.register(CLOUD, CLOUD, complement_scale_start=0.1, complement_scale_end=0.2)

@@ -1,0 +1,44 @@
+"""How a typed program uses the package; checked by mypy --strict, never run."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+import pyemtr
+
+
+def watch(progress: pyemtr.Progress) -> bool:
+    stage: str = progress.stage
+    return stage == "evolution" and progress.best_alpha < 10 and progress.iteration > 3
+
+
+def one_call(source: NDArray[np.float32], target: NDArray[np.float64]) -> NDArray[np.float64]:
+    result: pyemtr.Result = pyemtr.register(source, target, seed=1, threads=2, callback=watch,
+                                            iterations=20, transfer=False, neighbors="grid")
+    cost: int = result.lookups["evaluation"] + result.lookups["switch"]
+    seconds: float = result.timings["total"]
+    best: NDArray[np.float64] = result.history["alpha"]
+    print(result.registered, result.reason.upper(), cost, seconds, best.min(), result.to_dict())
+    return result.apply(source) if result.registered else result.transformation
+
+
+def stage_by_stage(source: list[list[float]], target: NDArray[np.int16]) -> pyemtr.Result:
+    problem = pyemtr.Problem(source, target, dense_points=1000)
+    alpha = pyemtr.TaskAlpha(problem, stage="sparse")
+    beta = pyemtr.TaskBeta(problem)
+    low, high = alpha.bounds.T
+    particles: NDArray[np.float64] = np.random.default_rng(0).uniform(low, high, (9, 6))
+    fitness: NDArray[np.float64] = alpha.evaluate(particles)
+    best = particles[fitness.argmin()]
+    print(beta.evaluate(particles[:, :3]), problem.complement(best[:3]), problem.tau / 2)
+    rows: NDArray[np.int32] = problem.correspondences
+    matched: NDArray[np.float32] = problem.source_dense[rows[:, 0]]
+    print(problem.to_particle(problem.to_transformation(best)), matched, problem.lookups + 1)
+    return problem.solve(callback=watch)
+
+
+def describe() -> str:
+    lines = [f"{name}: {setting.text} [{setting.minimum}, {setting.maximum}] {setting.default}"
+             for name, setting in pyemtr.settings().items()]
+    return "\n".join([pyemtr.__version__, *pyemtr.presets(), *lines])
