@@ -1,0 +1,1 @@
+"""Benchmarks of emtr: accuracy over pairs of clouds with ground truth."""

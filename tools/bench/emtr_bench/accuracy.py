@@ -1,0 +1,133 @@
+"""The accuracy benchmark: chooses pairs, runs them, prints and writes what came out."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from . import lookups, records, report, summary
+from .arguments import parser
+from .pairs import DataError, Pair, data_folder, read_manifest, select
+from .runner import Array, Options, Outcome, Run, run_all
+from .sample import sample_pair
+
+SMOKE_PAIRS, SMOKE_TRANSFORMS = 2, 2
+
+
+class Engine(Protocol):
+    """What is measured. A fake one stands in for pyemtr in the tests."""
+
+    version: str
+
+    def register(self, source: Array, target: Array, options: Options) -> Outcome: ...
+
+    def check(self, options: Options) -> None:
+        """Raises ValueError, naming it, when the preset or a setting is unknown."""
+
+    def fitness(self, run: Run, options: Options) -> tuple[float, float]:
+        """Of the true and of the estimated pose, mean of rho over the dense clouds."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    pairs: list[Pair]
+    transforms: int
+    jobs: int
+    options: Options
+
+
+def main(argv: list[str], engine: Engine) -> int:
+    arguments = parser().parse_args(argv)
+    measure = check_lookups if arguments.lookups else measure_accuracy
+    try:
+        options = make_options(arguments, engine)
+        with tempfile.TemporaryDirectory() as scratch:
+            pairs, transforms = choose(arguments, Path(scratch))
+            return measure(Plan(pairs, transforms, arguments.jobs, options), arguments, engine)
+    except DataError as error:
+        print(f"accuracy: {error}", file=sys.stderr)
+        return 2
+
+
+def make_options(arguments: argparse.Namespace, engine: Engine) -> Options:
+    settings = dict(arguments.set)
+    if arguments.lookups and "sparse_to_dense" in settings:
+        raise DataError("--lookups runs with and without sparse_to_dense: do not --set it")
+    options = Options(arguments.preset, arguments.seed, arguments.threads, settings)
+    try:
+        engine.check(options)
+    except ValueError as error:
+        raise DataError(str(error)) from error
+    return options
+
+
+def choose(arguments: argparse.Namespace, scratch: Path) -> tuple[list[Pair], int]:
+    """The pairs and how many transforms each; the smoke test takes the smallest few."""
+    tiers = [tier for group in arguments.tier or [["paper"]] for tier in group]
+    names = [name for group in arguments.pair or [] for name in group]
+    try:
+        folder = data_folder(arguments.data)
+    except DataError as error:
+        if not arguments.smoke:
+            raise
+        print(f"accuracy: {error}; the generated pair stands in")
+        pairs = [sample_pair(scratch)]
+    else:
+        pairs = select(read_manifest(folder), tiers, names)
+    if not arguments.smoke:
+        return pairs, arguments.transforms
+    smallest = sorted(pairs, key=lambda pair: pair.points)[:SMOKE_PAIRS]
+    return smallest, min(arguments.transforms, SMOKE_TRANSFORMS)
+
+
+def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> int:
+    print(f"preset {plan.options.preset}, {plan.transforms} transforms a pair, "
+          f"seeds {plan.options.seed}+, emtr {engine.version}")  # fmt: skip
+    print(report.header(), flush=True)
+    runs: list[Run] = []
+    rows: list[summary.PairSummary] = []
+    finished = run_all(plan.pairs, plan.transforms, engine.register, plan.options, plan.jobs)
+    for pair in plan.pairs:
+        if rows and rows[-1].tier != pair.tier:
+            print(_tier_mean(rows, runs, rows[-1].tier))
+        mine = [next(finished) for _ in range(plan.transforms)]
+        runs += mine
+        rows.append(summary.summarise(mine))
+        print(report.row(rows[-1]), flush=True)
+    if len({row.tier for row in rows}) > 1:
+        print(_tier_mean(rows, runs, rows[-1].tier))
+    average = summary.mean_figures(rows, runs)
+    print(report.rule())
+    print(report.mean_rows("mean", average, rows))
+    print(report.footer(runs, rows))
+    if arguments.failures:
+        print(report.failures(runs, lambda run: engine.fitness(run, plan.options)))
+    if arguments.json:
+        value = records.record(plan.options, engine.version, runs, rows, average)
+        records.write(arguments.json, value)
+        print(f"wrote {arguments.json}")
+    missed = report.marks(rows)
+    if arguments.require:
+        print("paper's marks: " + ("; ".join(missed) if missed else "met"))
+    return int(any(run.error for run in runs) or bool(arguments.require and missed))
+
+
+def check_lookups(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> int:
+    print(lookups.header(), flush=True)
+    passed = 0
+    for pair in plan.pairs:
+        result = lookups.check(pair, engine.register, plan.options)
+        passed += result.passed
+        print(lookups.row(result), flush=True)
+    print(f"{passed} of {len(plan.pairs)} pairs PASS")
+    return int(bool(arguments.require and passed < len(plan.pairs)))
+
+
+def _tier_mean(rows: list[summary.PairSummary], runs: list[Run], tier: str) -> str:
+    mine = [row for row in rows if row.tier == tier]
+    figures = summary.mean_figures(mine, [run for run in runs if run.pair.tier == tier])
+    return report.mean_rows(f"  mean of {tier}", figures, mine)

@@ -1,0 +1,71 @@
+"""The command line of the accuracy benchmark."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from .runner import Setting
+
+EPILOG = """examples:
+  accuracy --preset paper --tier paper            the paper's rows, 20 transforms each
+  accuracy --tier all --transforms 4 --jobs 2     every pair, quicker
+  accuracy --pair trex_03_01 --failures           one pair, and why runs failed
+  accuracy --tier paper --lookups                 the cost against the paper's formula
+
+exit code: 0; 1 when a run crashed or, with --require, a mark was missed; 2 when nothing
+could be run (no test data, no pyemtr, a bad argument)."""
+
+
+def parser() -> argparse.ArgumentParser:
+    made = argparse.ArgumentParser(
+        prog="accuracy",
+        description="Success, errors, cost and time of emtr on pairs with ground truth, by the "
+        "paper's protocol, beside the paper's figures.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    add = made.add_argument
+    add("--preset", default="paper", help="preset of the library (default: paper)")
+    add("--tier", action="append", nargs="+", metavar="TIER", help="tiers, or all (default: paper)")
+    add("--pair", action="append", nargs="+", metavar="NAME", help="these pairs, whatever tier")
+    add("--transforms", type=positive, default=20, metavar="N", help="motions a pair (default: 20)")
+    add("--seed", type=natural, default=0, help="run i of a pair has seed SEED + i (default: 0)")
+    add("--set", action="append", type=setting, default=[], metavar="NAME=VALUE",
+        help="change a setting of the preset")  # fmt: skip
+    add("--jobs", type=positive, default=1, help="processes side by side (default: 1)")
+    add("--threads", type=natural, default=0, help="threads a process (default: 0, all)")
+    add("--data", metavar="DIR", help="folder with MANIFEST.csv (default: EMTR_DATA)")
+    add("--json", type=Path, metavar="FILE", help="write every run to FILE")
+    add("--failures", action="store_true",
+        help="list the runs that failed, and whether the search or the objective did")  # fmt: skip
+    add("--lookups", action="store_true", help="check the look-ups instead of the accuracy")
+    add("--require", action="store_true", help="exit 1 when the pairs miss the paper's marks")
+    add("--smoke", action="store_true",
+        help="2 small pairs x 2 transforms; a generated pair where there are no data")  # fmt: skip
+    return made
+
+
+def positive(text: str) -> int:
+    value = natural(text)
+    if value == 0:
+        raise argparse.ArgumentTypeError("expected a whole number above 0, got 0")
+    return value
+
+
+def natural(text: str) -> int:
+    if not text.isascii() or not text.isdigit():
+        raise argparse.ArgumentTypeError(f"expected a whole number, not negative, got {text!r}")
+    return int(text)
+
+
+def setting(text: str) -> tuple[str, Setting]:
+    name, equals, value = text.partition("=")
+    if not name or not equals or not value:
+        raise argparse.ArgumentTypeError(f"expected NAME=VALUE, got {text!r}")
+    for kind in (int, float):
+        try:
+            return name, kind(value)
+        except ValueError:
+            continue
+    return name, value  # the name of a choice; the library knows which there are

@@ -1,0 +1,59 @@
+"""pyemtr as the benchmark sees it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pyemtr
+from pyemtr.options import make_settings
+
+from .runner import Array, Options, Outcome, Run, moved
+
+QUALITY = ("fitness", "inlier_ratio_source", "inlier_ratio_target", "inlier_rmse", "mode_gap")
+COUNTS = (
+    "points_source", "points_target", "dropped_source", "dropped_target", "sparse_source",
+    "sparse_target", "dense_source", "dense_target", "correspondences", "tims", "tims_pruned",
+    "iterations", "threads",
+)  # fmt: skip
+
+
+class PyemtrEngine:
+    """Without state, so that worker processes can be sent one."""
+
+    version: str = pyemtr.__version__
+
+    def check(self, options: Options) -> None:
+        """Raises ValueError, naming it, when the preset or a setting is unknown or out of range."""
+        try:
+            make_settings(options.seed, options.threads, options.preset, None, options.settings)
+        except TypeError as error:
+            raise ValueError(str(error)) from error
+
+    def register(self, source: Array, target: Array, options: Options) -> Outcome:
+        result = pyemtr.register(source, target, **_keywords(options))
+        return Outcome(
+            result.transformation,
+            result.registered,
+            result.reason,
+            {name: getattr(result, name) for name in QUALITY},
+            {name: getattr(result, name) for name in COUNTS},
+            result.lookups,
+            result.timings,
+            result.settings,
+        )
+
+    def fitness(self, run: Run, options: Options) -> tuple[float, float]:
+        """Task alpha's dense fitness a point, 0 (best) to 1: of the true pose, of the estimate."""
+        if run.outcome is None:
+            raise ValueError(f"{run.pair.name}[{run.index}] has no outcome to judge")
+        case = moved(run.pair, run.index)
+        problem = pyemtr.Problem(case.source, case.target, **_keywords(options))
+        poses = (run.T_true, run.outcome.transformation)
+        sums = pyemtr.TaskAlpha(problem).evaluate([problem.to_particle(T) for T in poses])
+        points = run.outcome.counts["dense_source"] + run.outcome.counts["dense_target"]
+        return float(sums[0]) / points, float(sums[1]) / points
+
+
+def _keywords(options: Options) -> dict[str, Any]:
+    own = {"preset": options.preset, "seed": options.seed, "threads": options.threads}
+    return {**options.settings, **own}

@@ -1,0 +1,109 @@
+"""The JSON for machines: every run, every row, and what they were made with."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+import os
+import platform
+from pathlib import Path
+from typing import Any
+
+from . import paper_tables
+from .runner import Options, Run
+from .summary import Figures, PairSummary
+
+
+def record(
+    options: Options, version: str, runs: list[Run], rows: list[PairSummary], average: Figures
+) -> dict[str, Any]:
+    """Everything, ready for JSON. Degrees, seconds, matrices source into target."""
+    return {
+        "benchmark": "accuracy",
+        "emtr_version": version,
+        "options": dataclasses.asdict(options),
+        "machine": {
+            "system": platform.platform(),
+            "processor": platform.processor() or platform.machine(),
+            "cpus": os.cpu_count(),
+            "python": platform.python_version(),
+        },
+        "paper": {
+            "mean_success": paper_tables.MEAN_SUCCESS,
+            "lowest_success": paper_tables.LOWEST_SUCCESS,
+            "mean_seconds": paper_tables.MEAN_SECONDS,
+        },
+        "mean": _figures(average),
+        "pairs": [_row(row) for row in rows],
+        "runs": [_run(run) for run in runs],
+    }
+
+
+def write(path: Path, value: dict[str, Any]) -> None:
+    """Whole or not at all: to a file beside it, then renamed. What is NaN becomes null."""
+    text = json.dumps(_plain(value), indent=1, allow_nan=False)
+    temporary = path.with_name(f"{path.name}.{os.getpid()}.part")
+    try:
+        temporary.write_text(text + "\n", encoding="utf-8")
+        temporary.replace(path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _run(run: Run) -> dict[str, Any]:
+    found = {
+        "pair": run.pair.name,
+        "tier": run.pair.tier,
+        "index": run.index,
+        "class": run.kind,
+        "seed": run.seed,
+        "T_true": run.T_true.tolist(),
+        "T_est": None,
+        "E_R": run.rotation,
+        "E_t": run.translation,
+        "success": run.success,
+        "joint": run.joint,
+        "wall_seconds": run.wall,
+        "error": run.error or None,
+    }
+    if run.outcome is not None:
+        outcome = run.outcome
+        found["T_est"] = outcome.transformation.tolist()
+        found["registered"] = outcome.registered
+        found["reason"] = outcome.reason
+        found.update(outcome.quality)
+        found.update(outcome.counts)
+        found["lookups"] = outcome.lookups
+        found["seconds"] = outcome.seconds
+    return found
+
+
+def _row(row: PairSummary) -> dict[str, Any]:
+    return {
+        "pair": row.name,
+        "tier": row.tier,
+        "paper_row": row.paper_row or None,
+        "runs": row.runs,
+        "crashed": row.crashed,
+        **_figures(row.figures),
+        "paper": dataclasses.asdict(row.paper) if row.paper else None,
+    }
+
+
+def _figures(figures: Figures) -> dict[str, Any]:
+    values = dataclasses.asdict(figures)
+    for name in ("rotation", "translation"):
+        spread = values.pop(name)
+        values[f"{name}_mean"], values[f"{name}_std"] = spread
+    return values
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

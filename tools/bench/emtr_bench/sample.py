@@ -1,0 +1,40 @@
+"""The generated pair that stands in where no test data are: tools/sample_pair.py."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+from plyfile import PlyData, PlyElement
+
+from .pairs import REPOSITORY, DataError, Pair
+
+TOOLS = REPOSITORY / "tools"
+
+
+def sample_pair(folder: Path) -> Pair:
+    """Makes the pair in `folder` and gives it the layout of the test data."""
+    command = [sys.executable, str(TOOLS / "sample_pair.py"), "--out", str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise DataError(f"no sample pair: {' '.join(command)} failed:\n{done.stderr.strip()}")
+    sys.path.insert(0, str(TOOLS))  # where sample_pair.py itself finds its modules
+    from virtual_scan.files import read_pcd
+
+    points = 0
+    for name in ("source", "target"):
+        cloud, _ = read_pcd(folder / f"{name}.pcd")
+        write_ply(folder / f"{name}.ply", cloud)
+        points += len(cloud)
+    (folder / "T_true.txt").rename(folder / "T_gt.txt")
+    return Pair("sample", "sample", folder, points=points)
+
+
+def write_ply(path: Path, points: np.ndarray) -> None:
+    """Points (n, 3) as a binary PLY of float32 vertices."""
+    vertices = np.empty(len(points), dtype=[(axis, "<f4") for axis in "xyz"])
+    for column, axis in enumerate("xyz"):
+        vertices[axis] = points[:, column]
+    PlyData([PlyElement.describe(vertices, "vertex")], byte_order="<").write(str(path))

@@ -1,0 +1,125 @@
+"""Sums runs up: one row a pair, and the mean over rows."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from .paper_tables import PaperRow, Spread, row_of
+from .runner import Run
+
+NOTHING = Spread(math.nan, math.nan)
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What a row of the table says; NaN where there is nothing to take a mean of."""
+
+    success: float  # percent, E_R < 5 degrees: the paper's
+    joint: float  # percent, E_t < 0.06 too
+    median_rotation: float  # degrees, of successes, as all errors
+    rotation: Spread  # degrees
+    translation: Spread  # x 100, normalised frame
+    evaluation: float  # look-ups in millions, mean over runs
+    switch: float
+    complement: float
+    seconds: float  # wall, mean over runs
+    precision: float  # percent of runs called registered that are joint successes
+    recall: float  # percent of joint successes that were called registered
+
+
+@dataclass(frozen=True)
+class PairSummary:
+    name: str
+    tier: str
+    paper_row: str
+    runs: int
+    crashed: int
+    figures: Figures
+    paper: PaperRow | None
+
+
+def summarise(runs: list[Run]) -> PairSummary:
+    """The row of one pair; all its runs, at least one."""
+    pair = runs[0].pair
+    return PairSummary(
+        pair.name,
+        pair.tier,
+        pair.paper_row,
+        len(runs),
+        sum(1 for run in runs if run.error),
+        figures(runs),
+        row_of(pair.paper_row),
+    )
+
+
+def figures(runs: list[Run]) -> Figures:
+    good = [run for run in runs if run.success]
+    done = [run.outcome for run in runs if run.outcome is not None]
+    precision, recall = verdict(runs)
+    return Figures(
+        success=percent(run.success for run in runs),
+        joint=percent(run.joint for run in runs),
+        median_rotation=statistics.median(r.rotation for r in good) if good else math.nan,
+        rotation=spread([run.rotation for run in good]),
+        translation=spread([100.0 * run.translation for run in good]),
+        evaluation=mean(o.lookups["evaluation"] / 1e6 for o in done),
+        switch=mean(o.lookups["switch"] / 1e6 for o in done),
+        complement=mean(o.lookups["complement"] / 1e6 for o in done),
+        seconds=mean(run.wall for run in runs if not run.error),
+        precision=precision,
+        recall=recall,
+    )
+
+
+def verdict(runs: Iterable[Run]) -> tuple[float, float]:
+    """Precision and recall of `registered` against joint success, in percent."""
+    runs = list(runs)
+    precision = percent(run.joint for run in runs if run.registered)
+    recall = percent(run.registered for run in runs if run.joint)
+    return precision, recall
+
+
+def mean_figures(rows: list[PairSummary], runs: Iterable[Run]) -> Figures:
+    """The mean over rows, each pair with the same weight, leaving out what is NaN; the
+    verdict is counted over all runs, for a pair alone may have none to judge it by."""
+
+    def single(name: str) -> float:
+        return mean(v for r in rows if not math.isnan(v := getattr(r.figures, name)))
+
+    def double(name: str) -> Spread:
+        known = [s for r in rows if not math.isnan((s := getattr(r.figures, name)).mean)]
+        return Spread(mean(s.mean for s in known), mean(s.std for s in known))
+
+    precision, recall = verdict(runs)
+    return Figures(
+        success=single("success"),
+        joint=single("joint"),
+        median_rotation=single("median_rotation"),
+        rotation=double("rotation"),
+        translation=double("translation"),
+        evaluation=single("evaluation"),
+        switch=single("switch"),
+        complement=single("complement"),
+        seconds=single("seconds"),
+        precision=precision,
+        recall=recall,
+    )
+
+
+def mean(values: Iterable[float]) -> float:
+    values = list(values)
+    return statistics.fmean(values) if values else math.nan
+
+
+def percent(flags: Iterable[bool]) -> float:
+    return 100.0 * mean(float(flag) for flag in flags)
+
+
+def spread(values: list[float]) -> Spread:
+    """Mean and standard deviation (of the sample; 0 for one value)."""
+    if not values:
+        return NOTHING
+    return Spread(statistics.fmean(values), statistics.stdev(values) if len(values) > 1 else 0.0)
