@@ -1,0 +1,59 @@
+# What `cmake --install` puts where: the libraries, their headers, and the files by which
+# find_package() and pkg-config find them. All paths in those are relative: the prefix may be moved.
+include(CMakePackageConfigHelpers)
+
+set(emtr_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/emtr)
+set(emtr_pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+# The parts of PCL behind the archives of a static build.
+set(emtr_pcl_components common kdtree search features filters)
+
+# ---- the C library
+install(TARGETS emtr EXPORT emtrTargets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY include/emtr DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT emtrTargets NAMESPACE emtr:: DESTINATION ${emtr_package_dir})
+
+# ---- the class
+if(TARGET emtr_pcl)
+  set_target_properties(emtr_pcl PROPERTIES INSTALL_RPATH $ORIGIN) # libemtr lies beside it
+  install(TARGETS emtr_pcl EXPORT emtrPclTargets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(DIRECTORY include/pcl ${EMTR_GENERATED_INCLUDE_DIR}/pcl
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT emtrPclTargets NAMESPACE emtr:: DESTINATION ${emtr_package_dir})
+endif()
+
+# ---- find_package(emtr)
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/emtrConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/emtrConfig.cmake
+  INSTALL_DESTINATION ${emtr_package_dir})
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/emtrConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/emtrConfig.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/emtrConfigVersion.cmake
+        DESTINATION ${emtr_package_dir})
+
+# ---- pkg-config
+file(RELATIVE_PATH emtr_pc_prefix /prefix/${emtr_pkgconfig_dir} /prefix)
+string(REGEX REPLACE "/$" "" emtr_pc_prefix "${emtr_pc_prefix}")
+set(emtr_pc_static)
+if(NOT BUILD_SHARED_LIBS)
+  set(emtr_pc_parts ${emtr_pcl_components})
+  list(TRANSFORM emtr_pc_parts PREPEND pcl_)
+  list(JOIN emtr_pc_parts " " emtr_pc_parts)
+  set(emtr_pc_libraries stdc++ ${OpenMP_CXX_LIB_NAMES})
+  list(TRANSFORM emtr_pc_libraries PREPEND -l)
+  list(JOIN emtr_pc_libraries " " emtr_pc_libraries)
+  set(emtr_pc_static "Requires.private: ${emtr_pc_parts}\nLibs.private: ${emtr_pc_libraries}\n")
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/emtr.pc.in ${CMAKE_CURRENT_BINARY_DIR}/emtr.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/emtr.pc DESTINATION ${emtr_pkgconfig_dir})
+if(TARGET emtr_pcl)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/pcl_emtr.pc.in
+                 ${CMAKE_CURRENT_BINARY_DIR}/pcl_emtr.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/pcl_emtr.pc DESTINATION ${emtr_pkgconfig_dir})
+endif()

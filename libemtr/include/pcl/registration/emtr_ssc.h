@@ -1,0 +1,191 @@
+#pragma once
+
+#include <emtr/emtr.h>
+#include <pcl/memory.h>
+#include <pcl/pcl_macros.h>
+#include <pcl/registration/registration.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace pcl {
+
+/** \brief @b EMTRSSCRegistration aligns two partially overlapping clouds from any start: global
+ * registration by evolutionary multitasking with solution space cutting.
+ *
+ * Two swarms search at once, one for the pose that brings the clouds together, one for the
+ * rotation that most pairs of feature matches agree on, and teach each other as they go.
+ *
+ * Y. Wu et al., "Evolutionary Multitasking with Solution Space Cutting for Point Cloud
+ * Registration", IEEE Transactions on Emerging Topics in Computational Intelligence, 2023.
+ *
+ * \code
+ * pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ> reg;
+ * reg.setInputSource(source);
+ * reg.setInputTarget(target);
+ * pcl::PointCloud<pcl::PointXYZ> aligned;
+ * reg.align(aligned);
+ * if (reg.hasConverged())
+ *   std::cout << reg.getFinalTransformation() << '\n'; // source into target: q = R p + t
+ * else
+ *   std::cout << reg.getReasonText() << '\n';
+ * \endcode
+ *
+ * No length needs tuning: all of them are derived from the clouds, in any unit. The same clouds,
+ * settings and seed give the same bits, however many threads there are.
+ *
+ * \note Of the inherited settings these act:
+ * - setMaximumIterations(): the number of generations of the evolution, 100 by default. All are
+ *   run, there is no stopping rule; getResult()->iterations tells how many were done.
+ * - setIndices(): only these source points are registered and put out.
+ * - the guess of align(): unless it is the identity, it is tried as one hypothesis among the
+ *   particles; it is not a start that the search stays near. The final transformation maps the
+ *   original source into the target, with a guess or without.
+ * - setSearchMethodTarget(), setPointRepresentation(): only for getFitnessScore().
+ *
+ * These do not act: setMaxCorrespondenceDistance(), the transformation, rotation and fitness
+ * epsilons, setRANSACIterations(), setRANSACOutlierRejectionThreshold(),
+ * setTransformationEstimation(), setCorrespondenceEstimation(), addCorrespondenceRejector(),
+ * setSearchMethodSource(), registerVisualizationCallback().
+ *
+ * \note hasConverged() means that the pose is held to be right, not that the loop ended. An input
+ * that cannot be registered is reported by PCL_ERROR and getErrorMessage(), hasConverged() is
+ * false, the final transformation is NaN, as it is before any align(), and the output is the
+ * source where it was. A setter that is given a null or empty cloud drops the one it had.
+ *
+ * \note getFitnessScore() is inherited: it takes all source points whatever the indices, compares
+ * max_range with squared distances, and needs an input source and one point type for both clouds.
+ * Points that are not finite are no neighbours and have none, unless setSearchMethodTarget() has
+ * put another tree in place. getResult() has scores that do not depend on it.
+ *
+ * \note Other point types with x, y and z (and normal_x, normal_y, normal_z, which are rotated)
+ * work as with any class of PCL: define PCL_NO_PRECOMPILE before including PCL.
+ *
+ * \ingroup registration
+ */
+template <typename PointSource, typename PointTarget, typename Scalar = float>
+class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar> {
+ public:
+  using Base = Registration<PointSource, PointTarget, Scalar>;
+  using Ptr = shared_ptr<EMTRSSCRegistration<PointSource, PointTarget, Scalar>>;
+  using ConstPtr = shared_ptr<const EMTRSSCRegistration<PointSource, PointTarget, Scalar>>;
+  using Matrix4 = typename Base::Matrix4;
+  using PointCloudSource = typename Base::PointCloudSource;
+  using PointCloudSourceConstPtr = typename Base::PointCloudSourceConstPtr;
+  using PointCloudTarget = typename Base::PointCloudTarget;
+  using PointCloudTargetConstPtr = typename Base::PointCloudTargetConstPtr;
+  using ResultConstPtr = std::shared_ptr<const emtr_result>;
+
+  /** \brief Told of the progress; returns true to go on, false to stop the run. */
+  using ProgressCallback = std::function<bool(const emtr_progress&)>;
+
+  /** \brief Starts from the preset "paper". */
+  EMTRSSCRegistration();
+
+  /** \brief Sets the cloud to be moved and forgets the last result. A null or empty cloud is
+   * reported and leaves no source. */
+  void setInputSource(const PointCloudSourceConstPtr& cloud) override;
+
+  /** \brief Sets the cloud to be met and forgets the last result. A null or empty cloud is
+   * reported and leaves no target. */
+  void setInputTarget(const PointCloudTargetConstPtr& cloud) override;
+
+  /** \brief Registers the source to the target; \a output is the selected source points where the
+   * final transformation puts them, normals rotated, points that are not finite as they were.
+   *
+   * The same as in the base class, but also for two point types, with which align() of the base
+   * class does not compile in PCL 1.13. */
+  void align(PointCloudSource& output, const Matrix4& guess = Matrix4::Identity());
+
+  /** \brief Replaces all settings, seed and threads too, by a preset of emtr_preset_name().
+   * \return false, with a PCL_ERROR and no change, when there is none of that name */
+  bool setPreset(const std::string& name);
+
+  /** \brief Sets one setting by the name that it has in emtr_settings.
+   * \return false, with a PCL_ERROR and no change, when the name is unknown or the value is out
+   * of the range that emtr_setting_describe() gives */
+  bool setSetting(const std::string& name, double value);
+
+  /** \brief Reads one setting by its name.
+   * \return false, with a PCL_ERROR and \a value as it was, when the name is unknown */
+  bool getSetting(const std::string& name, double& value) const;
+
+  /** \brief Replaces all settings at once; they are checked by align(). `iterations` becomes the
+   * maximum number of iterations. */
+  void setSettings(const emtr_settings& settings);
+
+  /** \brief A copy of the settings, `iterations` being the maximum number of iterations. */
+  [[nodiscard]] emtr_settings getSettings() const;
+
+  /** \brief Sets the seed of all random numbers; 0 by default. */
+  void setSeed(std::uint64_t seed) { settings_.seed = seed; }
+
+  [[nodiscard]] std::uint64_t getSeed() const { return settings_.seed; }
+
+  /** \brief Sets the number of threads; 0, the default, is one for each processor. */
+  void setNumberOfThreads(unsigned int nr_threads = 0) {
+    settings_.threads = static_cast<std::int32_t>(nr_threads);
+  }
+
+  /** \brief Sets what is told of the progress, on the thread that calls align(); an empty function
+   * for nothing. What it throws stops the run and comes out of align(), which then has no pose. */
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
+
+  /** \brief The whole result of the last align(): verdict, quality, counts, cost, timings, history.
+   * Null when it failed, before it, and after an input setter. */
+  [[nodiscard]] ResultConstPtr getResult() const { return result_; }
+
+  /** \brief Why the last align() did or did not converge, in a few words; empty before it. */
+  [[nodiscard]] std::string getReasonText() const;
+
+  /** \brief Why the last align() gave no pose, naming the cloud or the setting and what was
+   * expected, or which input is missing; empty when nothing is wrong. */
+  [[nodiscard]] std::string getErrorMessage() const;
+
+ protected:
+  using Base::converged_;
+  using Base::final_transformation_;
+  using Base::getClassName;
+  using Base::indices_;
+  using Base::input_;
+  using Base::max_iterations_;
+  using Base::nr_iterations_;
+  using Base::reg_name_;
+  using Base::target_;
+  using Base::target_cloud_updated_;
+  using Base::transformation_;
+  using Base::tree_;
+
+  /** \brief Registers the points of \a output, the selected source, and moves them. */
+  void computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
+
+ private:
+  /** \brief Of one point type: by the base class. */
+  void alignAs(PointCloudSource& output, const Matrix4& guess, std::true_type);
+
+  /** \brief Of two point types. */
+  void alignAs(PointCloudSource& output, const Matrix4& guess, std::false_type);
+
+  /** \brief The state before any align(): no result, not converged, no pose. */
+  void forgetResult();
+
+  /** \brief Runs the library on \a source, the selected points, and keeps its result.
+   * \return false, with the message kept, on an error */
+  bool solve(const PointCloudSource& source, const Matrix4& guess);
+
+  emtr_settings settings_;
+  ProgressCallback progress_;
+  ResultConstPtr result_;
+  std::string error_message_;
+
+ public:
+  PCL_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+}  // namespace pcl
+
+#include <pcl/registration/impl/emtr_ssc.hpp>

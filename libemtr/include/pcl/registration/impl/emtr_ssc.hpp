@@ -1,0 +1,206 @@
+#pragma once
+
+#include <pcl/common/io.h>
+#include <pcl/console/print.h>
+#include <pcl/registration/emtr_ssc.h>
+
+#include <exception>
+#include <limits>
+#include <pcl/registration/impl/emtr_ssc_points.hpp>
+#include <pcl/registration/impl/emtr_ssc_progress.hpp>
+#include <pcl/registration/impl/emtr_ssc_tree.hpp>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+EMTRSSCRegistration<PointSource, PointTarget, Scalar>::EMTRSSCRegistration() : settings_() {
+  reg_name_ = "EMTRSSCRegistration";
+  tree_.reset(new detail::FiniteKdTree<PointTarget>);
+  setPreset("paper");
+  forgetResult();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setInputSource(
+    const PointCloudSourceConstPtr& cloud) {
+  forgetResult();
+  if (cloud && !cloud->empty()) {
+    Base::setInputSource(cloud);
+    return;
+  }
+  PCL_ERROR("[pcl::%s::setInputSource] Null or empty cloud given, no source is left.\n",
+            getClassName().c_str());
+  input_.reset();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setInputTarget(
+    const PointCloudTargetConstPtr& cloud) {
+  forgetResult();
+  if (cloud && !cloud->empty()) {
+    Base::setInputTarget(cloud);
+    return;
+  }
+  PCL_ERROR("[pcl::%s::setInputTarget] Null or empty cloud given, no target is left.\n",
+            getClassName().c_str());
+  target_.reset();
+  target_cloud_updated_ = true;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::forgetResult() {
+  result_.reset();
+  error_message_.clear();
+  converged_ = false;
+  nr_iterations_ = 0;
+  // A pose that is not known must not look like one.
+  final_transformation_.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+  transformation_ = final_transformation_;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setPreset(const std::string& name) {
+  emtr_settings settings;
+  if (emtr_settings_init(&settings, sizeof(settings), name.c_str()) != EMTR_OK) {
+    PCL_ERROR("[pcl::%s::setPreset] %s\n", getClassName().c_str(), emtr_error_message());
+    return false;
+  }
+  setSettings(settings);
+  return true;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setSetting(const std::string& name,
+                                                                       double value) {
+  emtr_settings settings = getSettings();
+  if (emtr_setting_set(&settings, name.c_str(), value) != EMTR_OK) {
+    PCL_ERROR("[pcl::%s::setSetting] %s\n", getClassName().c_str(), emtr_error_message());
+    return false;
+  }
+  setSettings(settings);
+  return true;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getSetting(const std::string& name,
+                                                                       double& value) const {
+  const emtr_settings settings = getSettings();
+  if (emtr_setting_get(&settings, name.c_str(), &value) == EMTR_OK) return true;
+  PCL_ERROR("[pcl::%s::getSetting] %s\n", getClassName().c_str(), emtr_error_message());
+  return false;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setSettings(
+    const emtr_settings& settings) {
+  settings_ = settings;
+  max_iterations_ = settings.iterations;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+emtr_settings EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getSettings() const {
+  emtr_settings settings = settings_;
+  settings.iterations = max_iterations_;
+  return settings;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::string EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getReasonText() const {
+  return result_ ? emtr_reason_text(result_->reason) : error_message_;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::string EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getErrorMessage() const {
+  if (!error_message_.empty()) return error_message_;
+  // align() of the base class returns before it asks us when an input is missing.
+  if (!input_) return "source: no cloud, expected one that is not empty";
+  if (!target_) return "target: no cloud, expected one that is not empty";
+  return std::string();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::align(PointCloudSource& output,
+                                                                  const Matrix4& guess) {
+  alignAs(output, guess, std::is_same<PointSource, PointTarget>());
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::alignAs(PointCloudSource& output,
+                                                                    const Matrix4& guess,
+                                                                    std::true_type) {
+  Base::align(output, guess);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::alignAs(PointCloudSource& output,
+                                                                    const Matrix4& guess,
+                                                                    std::false_type) {
+  if (!input_ || !target_) {
+    PCL_ERROR("[pcl::%s::align] %s\n", getClassName().c_str(), getErrorMessage().c_str());
+    return;
+  }
+  if (!PCLBase<PointSource>::initCompute()) return;  // fills the indices where none were given
+  PointCloudSource selected;                         // the output may be the source itself
+  copyPointCloud(*input_, *indices_, selected);
+  if (selected.size() == input_->size()) {
+    selected.width = input_->width;
+    selected.height = input_->height;
+  }
+  output = std::move(selected);
+  computeTransformation(output, guess);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::computeTransformation(
+    PointCloudSource& output, const Matrix4& guess) {
+  forgetResult();
+  if (!solve(output, guess)) {
+    PCL_ERROR("[pcl::%s::align] %s\n", getClassName().c_str(), error_message_.c_str());
+    return;
+  }
+  for (Eigen::Index i = 0; i < 16; ++i)
+    final_transformation_(i / 4, i % 4) = static_cast<Scalar>(result_->transformation[i]);
+  transformation_ = final_transformation_;
+  converged_ = result_->registered != 0;
+  nr_iterations_ = static_cast<int>(result_->iterations);
+  // Stopped before any pose was known, there is none to move the points by.
+  if (final_transformation_.allFinite())
+    detail::transformPoints(output, final_transformation_.template cast<double>().eval());
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointCloudSource& source,
+                                                                  const Matrix4& guess) {
+  emtr_settings settings = getSettings();
+  if (guess != Matrix4::Identity()) {
+    settings.has_guess = 1;
+    for (Eigen::Index i = 0; i < 16; ++i)
+      settings.guess[i] = static_cast<double>(guess(i / 4, i % 4));
+  }
+  // Plain arrays of our own: what is in a pcl::PointCloud depends on how the caller was compiled.
+  const std::vector<float> source_points = detail::packPoints(source);
+  const std::vector<float> target_points = detail::packPoints(*target_);
+  const emtr_cloud source_cloud = {source_points.data(), source.size(), 0, EMTR_FLOAT32};
+  const emtr_cloud target_cloud = {target_points.data(), target_->size(), 0, EMTR_FLOAT32};
+
+  detail::ProgressRelay relay(progress_);
+  emtr_result* result = nullptr;
+  const emtr_status status =
+      emtr_register(&source_cloud, &target_cloud, &settings, relay.function(), &relay, &result);
+  if (status != EMTR_OK) error_message_ = emtr_error_message();
+  ResultConstPtr owned(result,
+                       [](const emtr_result* r) { emtr_result_free(const_cast<emtr_result*>(r)); });
+  if (relay.thrown()) {
+    error_message_ = "the progress callback threw an exception";
+    std::rethrow_exception(relay.thrown());
+  }
+  result_ = std::move(owned);
+  return status == EMTR_OK;
+}
+
+}  // namespace pcl
+
+#include <pcl/registration/impl/emtr_ssc_instantiations.hpp>

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <pcl/point_cloud.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace detail {
+
+/** \brief x, y, z of all points, packed; never without storage, even of no points. */
+template <typename PointT>
+std::vector<float> packPoints(const PointCloud<PointT>& cloud) {
+  std::vector<float> packed;
+  packed.reserve(3 * cloud.size() + 1);
+  for (const auto& point : cloud) {
+    packed.push_back(point.x);
+    packed.push_back(point.y);
+    packed.push_back(point.z);
+  }
+  return packed;
+}
+
+/** \brief Rotates the normal of a point type that has one. */
+template <typename PointT>
+auto rotateNormal(PointT& point, const Eigen::Matrix4d& transformation, int)
+    -> decltype(static_cast<void>(point.normal_x)) {
+  const Eigen::Vector3d normal(point.normal_x, point.normal_y, point.normal_z);
+  const Eigen::Vector3f rotated =
+      (transformation.topLeftCorner<3, 3>() * normal).template cast<float>();
+  point.normal_x = rotated.x();
+  point.normal_y = rotated.y();
+  point.normal_z = rotated.z();
+}
+
+template <typename PointT>
+void rotateNormal(PointT&, const Eigen::Matrix4d&, long) {}
+
+/** \brief Moves the finite points, normals included; all other fields and points stay. */
+template <typename PointT>
+void transformPoints(PointCloud<PointT>& cloud, const Eigen::Matrix4d& transformation) {
+  for (auto& point : cloud) {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) continue;
+    const Eigen::Vector3d position(point.x, point.y, point.z);
+    const Eigen::Vector3f moved =
+        (transformation.topLeftCorner<3, 3>() * position + transformation.topRightCorner<3, 1>())
+            .template cast<float>();
+    point.x = moved.x();
+    point.y = moved.y();
+    point.z = moved.z();
+    rotateNormal(point, transformation, 0);
+  }
+}
+
+}  // namespace detail
+}  // namespace pcl

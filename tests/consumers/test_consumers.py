@@ -1,0 +1,199 @@
+"""The installed package from outside: tiny programs that find it by CMake and by pkg-config.
+
+Installs the build in EMTR_BUILD_DIR (default: build/ in the checkout) into a temporary prefix,
+then moves the prefix, so that everything here also holds after a move.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+
+
+def run(*command: str | Path, **kwargs) -> str:
+    done = subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, check=False, **kwargs
+    )
+    assert done.returncode == 0, f"{command}\n{done.stdout}\n{done.stderr}"
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory) -> Path:
+    """The installed package, at another place than it was installed to."""
+    build = Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build"))
+    if "EMTR_BUILD_DIR" not in os.environ and not (build / "cmake_install.cmake").is_file():
+        pytest.skip(f"no build at {build} (set EMTR_BUILD_DIR)")
+    folder = tmp_path_factory.mktemp("install")
+    run("cmake", "--install", build, "--prefix", folder / "first")
+    return (folder / "first").rename(folder / "moved")
+
+
+@pytest.fixture(scope="module")
+def libdir(prefix) -> Path:
+    (config,) = prefix.rglob("emtrConfig.cmake")
+    return config.parents[2]
+
+
+def is_static(libdir: Path) -> bool:
+    return (libdir / "libemtr.a").is_file()
+
+
+def needs_class(prefix: Path) -> None:
+    if not (prefix / "include/pcl/registration/emtr_ssc.h").is_file():
+        pytest.skip("built without the PCL class (EMTR_BUILD_PCL=OFF)")
+
+
+def pkg_config(libdir: Path, *words: str) -> list[str]:
+    if shutil.which("pkg-config") is None:
+        pytest.skip("no pkg-config")
+    env = dict(os.environ, PKG_CONFIG_PATH=str(libdir / "pkgconfig"))
+    return run("pkg-config", *words, env=env).split()
+
+
+def by_cmake(project: str, prefix: Path, build: Path, *options: str) -> Path:
+    run("cmake", "-S", HERE / project, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}", *options)
+    run("cmake", "--build", build)
+    return build / "consumer"
+
+
+def by_pkg_config(project: str, libdir: Path, build: Path, *compiler: str) -> Path:
+    package, source = ("emtr", "main.c") if project == "c" else ("pcl_emtr", "main.cpp")
+    program = build / "consumer"
+    static = ["--static"] if is_static(libdir) else []
+    flags = pkg_config(libdir, "--cflags", "--libs", *static, package)
+    include = f"-I{ROOT / 'tests/cpp/support'}"
+    rpath = f"-Wl,-rpath,{libdir}"
+    run(*compiler, HERE / project / source, include, "-o", program, *flags, rpath, "-lm")
+    return program
+
+
+def check(program: Path) -> dict[str, int]:
+    """Runs a consumer: the pose that it prints is right. Returns what else it tells."""
+    lines = run(program, env=dict(os.environ, OMP_NUM_THREADS="2")).splitlines()
+    true, found = (np.array(line.split(), float).reshape(4, 4) for line in lines[:2])
+    turn = np.linalg.norm(true[:3, :3] - found[:3, :3]) / (2 * np.sqrt(2))
+    assert np.degrees(2 * np.arcsin(turn)) < 5
+    assert np.linalg.norm(true[:3, 3] - found[:3, 3]) < 0.2  # at the origin, 2 radii away
+    assert np.allclose(found[:3, :3] @ found[:3, :3].T, np.eye(3), atol=1e-12)
+    words = lines[2].split() if len(lines) > 2 else []
+    return dict(zip(words[::2], map(int, words[1::2])))
+
+
+def test_c_by_cmake(prefix, libdir, tmp_path):
+    if is_static(libdir):
+        pytest.skip("an archive of C++ code asks for a C++ linker and PCL")
+    check(by_cmake("c", prefix, tmp_path, "-DCMAKE_DISABLE_FIND_PACKAGE_PCL=ON"))
+
+
+def test_c_by_pkg_config(libdir, tmp_path):
+    strict = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror")
+    check(by_pkg_config("c", libdir, tmp_path, os.environ.get("CC", "cc"), *strict))
+
+
+def test_class_by_cmake_in_cpp14(prefix, tmp_path):
+    needs_class(prefix)
+    told = check(by_cmake("class", prefix, tmp_path, "-DCMAKE_CXX_STANDARD=14"))
+    assert told["compiled"] == 0  # the library is C++17, where the class is allocated otherwise
+
+
+def test_class_by_cmake_and_optimised(prefix, tmp_path):
+    needs_class(prefix)
+    options = ("-DCMAKE_CXX_STANDARD=17", "-DCMAKE_BUILD_TYPE=Release")
+    assert check(by_cmake("class", prefix, tmp_path, *options))["compiled"] == 1
+
+
+def test_class_by_pkg_config(prefix, libdir, tmp_path):
+    needs_class(prefix)
+    compiler = (os.environ.get("CXX", "c++"), "-std=c++17")
+    assert check(by_pkg_config("class", libdir, tmp_path, *compiler))["compiled"] == 1
+
+
+def test_class_without_precompiled_code(prefix, libdir, tmp_path):
+    needs_class(prefix)
+    compiler = (os.environ.get("CXX", "c++"), "-O1", "-DPCL_NO_PRECOMPILE")
+    told = check(by_pkg_config("class", libdir, tmp_path, *compiler))
+    assert told["compiled"] == 0
+
+
+def test_class_under_avx2(prefix, tmp_path):
+    """Eigen then aligns to 32 bytes: another layout of the class than in the library."""
+    needs_class(prefix)
+    if platform.machine() not in ("x86_64", "AMD64"):
+        pytest.skip(f"AVX2 is not of {platform.machine()}")
+    program = by_cmake("class", prefix, tmp_path, "-DCMAKE_CXX_FLAGS=-O3 -mavx2")
+    if not re.search(r"\bavx2\b", Path("/proc/cpuinfo").read_text()):
+        pytest.skip("built, but this processor has no AVX2 to run it")
+    told = check(program)
+    assert told == {"compiled": 0, "align": 32}
+
+
+def test_an_unknown_component_is_refused(prefix, tmp_path):
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.18)\nproject(x LANGUAGES C)\n"
+        "find_package(emtr CONFIG REQUIRED COMPONENTS pcl2)\n"
+    )
+    done = subprocess.run(
+        ["cmake", "-S", tmp_path, "-B", tmp_path / "b", f"-DCMAKE_PREFIX_PATH={prefix}"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode != 0
+    assert "pcl2" in done.stderr
+
+
+def test_no_flag_leaks_to_consumers(prefix, libdir):
+    flags = pkg_config(libdir, "--cflags", "emtr")
+    assert Path(flags[0][2:]).resolve() == prefix / "include"
+    assert all(flag.startswith("-I") for flag in flags)
+    assert len(flags) == 1 or is_static(libdir)
+    for file in (libdir / "cmake/emtr").iterdir():
+        assert "INTERFACE_COMPILE_OPTIONS" not in file.read_text(), file
+        assert "INTERFACE_COMPILE_DEFINITIONS" not in file.read_text(), file
+
+
+def test_no_path_of_the_build_is_installed(prefix, libdir):
+    first = str(prefix.parent / "first")
+    for folder in (libdir / "cmake", libdir / "pkgconfig", prefix / "include"):
+        for file in (path for path in folder.rglob("*") if path.is_file()):
+            text = file.read_text()
+            assert first not in text and str(ROOT) not in text, file
+
+
+def exported(library: Path) -> list[str]:
+    """The functions and tables that a shared library shows. The standard library's templates
+    and the names of types are the same wherever they come from."""
+    lines = run("nm", "-DC", "--defined-only", library).splitlines()
+    names = (re.sub(r"^\S+ \w ", "", line) for line in lines)
+    harmless = r"(^|[ *&])(std::|__gnu_cxx::)|^typeinfo "
+    return [name for name in names if not re.search(harmless, name.split("(")[0])]
+
+
+def test_the_c_library_shows_its_own_names_only(libdir):
+    if is_static(libdir):
+        pytest.skip("built as an archive")
+    names = exported(libdir / "libemtr.so")
+    assert "emtr_register" in names
+    assert [name for name in names if not name.startswith("emtr_")] == []
+
+
+def test_the_class_library_shows_its_own_names_only(prefix, libdir):
+    needs_class(prefix)
+    if is_static(libdir):
+        pytest.skip("built as an archive")
+    names = exported(libdir / "libpcl_emtr.so")
+    for point in ("PointXYZ", "PointXYZI", "PointXYZRGB", "PointNormal", "PointXYZINormal"):
+        for scalar in ("float", "double"):
+            assert any(f"<pcl::{point}, pcl::{point}, {scalar}>::align(" in n for n in names)
+    assert [name for name in names if "pcl::EMTRSSCRegistration<" not in name] == []

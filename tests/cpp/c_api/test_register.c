@@ -1,0 +1,189 @@
+/* One call from clouds to result: the pose, the same bits again, progress, priors. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bumpy_pair.h"
+#include "check.h"
+
+static emtr_cloud cloud_of(const float* points, size_t count) {
+  emtr_cloud cloud;
+  cloud.points = points;
+  cloud.count = count;
+  cloud.stride = 0;
+  cloud.scalar = EMTR_FLOAT32;
+  return cloud;
+}
+
+static emtr_result* run(const bumpy_pair* pair, const emtr_settings* settings,
+                        emtr_progress_fn progress, void* user) {
+  const emtr_cloud source = cloud_of(pair->source, pair->count);
+  const emtr_cloud target = cloud_of(pair->target, pair->count);
+  emtr_result* result = NULL;
+  CHECK_OK(emtr_register(&source, &target, settings, progress, user, &result));
+  if (!result) exit(1); /* said above */
+  return result;
+}
+
+static void same_pose(const emtr_result* a, const emtr_result* b) {
+  CHECK(memcmp(a->transformation, b->transformation, sizeof a->transformation) == 0);
+  CHECK(a->fitness == b->fitness && a->mode_gap == b->mode_gap);
+}
+
+static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r) {
+  const double* t = r->transformation;
+  size_t i;
+  int row, other, k;
+  CHECK(r->size == sizeof(emtr_result));
+  CHECK(bumpy_pair_error(pair, t) < 0.05);
+  CHECK(r->registered == 1 && r->reason == EMTR_REASON_REGISTERED);
+  for (row = 0; row < 3; ++row)
+    for (other = 0; other < 3; ++other) {
+      double dot = 0;
+      for (k = 0; k < 3; ++k) dot += t[4 * row + k] * t[4 * other + k];
+      CHECK(fabs(dot - (row == other)) < 1e-12);
+    }
+  CHECK(t[12] == 0 && t[13] == 0 && t[14] == 0 && t[15] == 1);
+  CHECK(r->fitness > 0 && r->fitness < 1 && r->mode_gap > 0);
+  CHECK(r->inlier_ratio_source > 0.3 && r->inlier_ratio_source <= 1);
+  CHECK(r->inlier_ratio_target > 0.3 && r->inlier_ratio_target <= 1);
+  CHECK(r->inlier_rmse > 0 && r->inlier_rmse < 0.1 * pair->unit);
+  CHECK(r->points_source == pair->count && r->points_target == pair->count);
+  CHECK(r->dropped_source == 0 && r->dropped_target == 0);
+  CHECK(r->sparse_source > 0 && r->sparse_source < r->dense_source);
+  CHECK(r->sparse_target > 0 && r->sparse_target < r->dense_target);
+  CHECK(r->correspondences > 10 && r->tims > r->correspondences && r->tims_pruned < r->tims);
+  CHECK(r->lookups_evaluation > 0 && r->lookups_switch > 0 && r->lookups_complement > 0);
+  CHECK(r->scale > 0.5 * pair->unit && r->scale < 2 * pair->unit);
+  CHECK(r->leaf_sparse > r->leaf_dense && r->leaf_dense > 0);
+  CHECK(r->seconds_total > 0 && r->seconds_evolution <= r->seconds_total);
+  CHECK(r->iterations == 100 && r->seed == 0 && r->threads >= 1);
+  for (i = 1; i < r->iterations; ++i) CHECK(r->history_beta[i] <= r->history_beta[i - 1]);
+  for (i = 1; i < 60; ++i) CHECK(r->history_alpha[i] <= r->history_alpha[i - 1]);
+}
+
+static void layout_of_the_input_does_not_matter(const bumpy_pair* pair, const emtr_result* whole) {
+  const size_t stride = 3 * sizeof(double) + 5; /* aligned to nothing */
+  char* strided = (char*)malloc(pair->count * stride + 1);
+  emtr_cloud source, target = cloud_of(pair->target, pair->count);
+  emtr_result* result = NULL;
+  size_t i;
+  int k;
+  if (!strided) exit(1);
+  for (i = 0; i < pair->count; ++i)
+    for (k = 0; k < 3; ++k) {
+      const double value = pair->source[3 * i + (size_t)k];
+      memcpy(strided + 1 + i * stride + (size_t)k * sizeof value, &value, sizeof value);
+    }
+  source.points = strided + 1;
+  source.count = pair->count;
+  source.stride = stride;
+  source.scalar = EMTR_FLOAT64;
+  CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &result));
+  if (result) same_pose(whole, result);
+  emtr_result_free(result);
+  free(strided);
+}
+
+static void points_that_are_not_finite_are_dropped(bumpy_pair pair) {
+  emtr_result* result;
+  float* source = (float*)malloc(3 * pair.count * sizeof(float));
+  if (!source) exit(1);
+  memcpy(source, pair.source, 3 * pair.count * sizeof(float));
+  source[0] = (float)NAN;
+  source[3 * 7 + 2] = (float)INFINITY;
+  pair.source = source;
+  result = run(&pair, NULL, NULL, NULL);
+  CHECK(result->dropped_source == 2 && result->points_source == pair.count - 2);
+  CHECK(result->registered);
+  emtr_result_free(result);
+  free(source);
+}
+
+typedef struct watch {
+  int calls, iterations, stop_at;
+  char stages[128];
+} watch;
+
+static int on_progress(const emtr_progress* progress, void* user) {
+  watch* w = (watch*)user;
+  ++w->calls;
+  if (progress->iteration == 0) {
+    strcat(w->stages, progress->stage);
+    strcat(w->stages, " ");
+  } else {
+    CHECK(strcmp(progress->stage, "evolution") == 0);
+    CHECK(progress->iteration == ++w->iterations && progress->iterations == 100);
+    CHECK(progress->best_alpha >= 0 && progress->best_beta >= 0);
+  }
+  return w->stop_at >= 0 && (progress->iteration == w->stop_at);
+}
+
+static void progress_and_stop(const bumpy_pair* pair, const emtr_result* whole) {
+  watch all = {0, 0, -1, ""}, third = {0, 0, 3, ""}, at_once = {0, 0, 0, ""};
+  emtr_result* result = run(pair, NULL, on_progress, &all);
+  same_pose(whole, result);
+  CHECK(all.iterations == 100);
+  CHECK(strcmp(all.stages, "frame densities features matching evolution verdict ") == 0);
+  emtr_result_free(result);
+
+  result = run(pair, NULL, on_progress, &third);
+  CHECK(result->reason == EMTR_REASON_INTERRUPTED && !result->registered);
+  CHECK(result->iterations == 3 && isfinite(result->transformation[0]));
+  emtr_result_free(result);
+
+  result = run(pair, NULL, on_progress, &at_once);
+  CHECK(at_once.calls == 1 && result->reason == EMTR_REASON_INTERRUPTED && !result->registered);
+  CHECK(isnan(result->transformation[0]) && isnan(result->transformation[15]));
+  emtr_result_free(result);
+}
+
+static void seed_threads_guess(const bumpy_pair* pair, const emtr_result* whole) {
+  emtr_settings settings;
+  emtr_result* result;
+  CHECK_OK(emtr_settings_init(&settings, sizeof settings, NULL));
+  settings.threads = 2;
+  result = run(pair, &settings, NULL, NULL);
+  same_pose(whole, result);
+  CHECK(result->threads == 2);
+  emtr_result_free(result);
+
+  settings.seed = UINT64_MAX;
+  result = run(pair, &settings, NULL, NULL);
+  CHECK(result->seed == UINT64_MAX && bumpy_pair_error(pair, result->transformation) < 0.05);
+  CHECK(memcmp(whole->transformation, result->transformation, sizeof pair->pose) != 0);
+  emtr_result_free(result);
+
+  /* two iterations without transfer find nothing by themselves */
+  settings.iterations = 2;
+  settings.transfer = 0;
+  result = run(pair, &settings, NULL, NULL);
+  CHECK(!(bumpy_pair_error(pair, result->transformation) < 0.05));
+  emtr_result_free(result);
+  settings.has_guess = 1;
+  memcpy(settings.guess, pair->pose, sizeof settings.guess);
+  result = run(pair, &settings, NULL, NULL);
+  CHECK(bumpy_pair_error(pair, result->transformation) < 0.05);
+  emtr_result_free(result);
+}
+
+int main(void) {
+  bumpy_pair pair, millimetres;
+  emtr_result *whole, *result;
+  if (bumpy_pair_make(&pair, 1, 4000, 1.0) || bumpy_pair_make(&millimetres, 1, 4000, 1000.0))
+    return 1;
+  whole = run(&pair, NULL, NULL, NULL);
+  the_result_is_whole(&pair, whole);
+  layout_of_the_input_does_not_matter(&pair, whole);
+  points_that_are_not_finite_are_dropped(pair);
+  progress_and_stop(&pair, whole);
+  seed_threads_guess(&pair, whole);
+  emtr_result_free(whole);
+  result = run(&millimetres, NULL, NULL, NULL);
+  the_result_is_whole(&millimetres, result);
+  emtr_result_free(result);
+  emtr_result_free(NULL);
+  bumpy_pair_free(&pair);
+  bumpy_pair_free(&millimetres);
+  return check_result();
+}

@@ -1,0 +1,108 @@
+/* Version, texts, presets, and the settings by name. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "check.h"
+
+static void texts(void) {
+  char version[32];
+  int i;
+  snprintf(version, sizeof version, "%d.%d.%d", EMTR_VERSION_MAJOR, EMTR_VERSION_MINOR,
+           EMTR_VERSION_PATCH);
+  CHECK(strcmp(emtr_version(), version) == 0);
+  for (i = EMTR_OK; i <= EMTR_ERROR_INTERNAL; ++i)
+    CHECK(emtr_status_text((emtr_status)i) && *emtr_status_text((emtr_status)i));
+  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_INTERRUPTED; ++i)
+    CHECK(emtr_reason_text((emtr_reason)i) && *emtr_reason_text((emtr_reason)i));
+  CHECK(emtr_status_text((emtr_status)99) != NULL);
+  CHECK(emtr_reason_text((emtr_reason)99) != NULL);
+  CHECK(*emtr_error_message() == '\0'); /* nothing has failed yet */
+}
+
+static void presets(void) {
+  emtr_settings by_name, by_null;
+  size_t i;
+  CHECK(emtr_preset_name(0) && strcmp(emtr_preset_name(0), "paper") == 0);
+  for (i = 0; emtr_preset_name(i); ++i)
+    CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, emtr_preset_name(i)));
+  CHECK(emtr_preset_name(i + 1) == NULL);
+
+  CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, "paper"));
+  CHECK_OK(emtr_settings_init(&by_null, sizeof by_null, NULL));
+  CHECK(by_name.size == sizeof(emtr_settings) && !by_name.has_guess);
+  CHECK(by_name.population == 50 && by_name.iterations == 100);
+  for (i = 0; i < emtr_setting_count(); ++i) {
+    emtr_setting_info info;
+    double a = 0, b = 1;
+    CHECK_OK(emtr_setting_describe(i, &info));
+    CHECK_OK(emtr_setting_get(&by_name, info.name, &a));
+    CHECK_OK(emtr_setting_get(&by_null, info.name, &b));
+    CHECK(a == b && a == info.value);
+  }
+  CHECK_ERROR(emtr_settings_init(&by_name, sizeof by_name, "papier"), EMTR_ERROR_SETTING, "papier");
+  CHECK_ERROR(emtr_settings_init(&by_name, 4, "paper"), EMTR_ERROR_ARGUMENT, "size");
+  CHECK_ERROR(emtr_settings_init(NULL, sizeof by_name, "paper"), EMTR_ERROR_ARGUMENT, "null");
+}
+
+/* A refused value leaves the setting as it was. */
+static void refuses(const char* name, double value) {
+  emtr_settings settings;
+  double before = 0, after = 1;
+  CHECK_OK(emtr_settings_init(&settings, sizeof settings, NULL));
+  CHECK_OK(emtr_setting_get(&settings, name, &before));
+  CHECK_ERROR(emtr_setting_set(&settings, name, value), EMTR_ERROR_SETTING, name);
+  CHECK_OK(emtr_setting_get(&settings, name, &after));
+  CHECK(before == after);
+}
+
+static void each_setting(void) {
+  size_t i;
+  CHECK(emtr_setting_count() > 30);
+  for (i = 0; i < emtr_setting_count(); ++i) {
+    emtr_setting_info info;
+    emtr_settings settings;
+    double got = 0;
+    CHECK_OK(emtr_settings_init(&settings, sizeof settings, NULL));
+    CHECK_OK(emtr_setting_describe(i, &info));
+    CHECK(*info.name && *info.text && info.unit && info.section && info.choices);
+    CHECK(info.minimum <= info.value && info.value <= info.maximum);
+    CHECK((info.type == EMTR_SETTING_CHOICE) == (*info.choices != '\0'));
+
+    CHECK_OK(emtr_setting_set(&settings, info.name, info.minimum));
+    CHECK_OK(emtr_setting_get(&settings, info.name, &got));
+    CHECK(got == info.minimum);
+    CHECK_OK(emtr_setting_set(&settings, info.name, info.maximum));
+    CHECK_OK(emtr_setting_get(&settings, info.name, &got));
+    CHECK(got == info.maximum);
+    refuses(info.name, info.minimum - 1);
+    refuses(info.name, info.maximum * 2 + 1);
+    refuses(info.name, (double)NAN);
+    if (info.type != EMTR_SETTING_REAL) refuses(info.name, info.minimum + 0.5);
+  }
+}
+
+static void wrong_names(void) {
+  emtr_settings settings;
+  emtr_setting_info info;
+  double value = 7;
+  CHECK_OK(emtr_settings_init(&settings, sizeof settings, NULL));
+  CHECK_OK(emtr_setting_set(&settings, "population", 30));
+  CHECK(settings.population == 30);
+  CHECK_ERROR(emtr_setting_set(&settings, "polulation", 30), EMTR_ERROR_SETTING, "polulation");
+  CHECK_ERROR(emtr_setting_get(&settings, "guess", &value), EMTR_ERROR_SETTING, "guess");
+  CHECK(value == 7);
+  CHECK(emtr_setting_set(NULL, "population", 30) == EMTR_ERROR_ARGUMENT);
+  CHECK(emtr_setting_set(&settings, NULL, 30) == EMTR_ERROR_ARGUMENT);
+  CHECK(emtr_setting_get(&settings, "population", NULL) == EMTR_ERROR_ARGUMENT);
+  CHECK(emtr_setting_describe(emtr_setting_count(), &info) == EMTR_ERROR_ARGUMENT);
+  CHECK(emtr_setting_describe(0, NULL) == EMTR_ERROR_ARGUMENT);
+}
+
+int main(void) {
+  texts();
+  presets();
+  each_setting();
+  wrong_names();
+  return check_result();
+}

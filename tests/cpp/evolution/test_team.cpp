@@ -1,0 +1,59 @@
+#include "evolution/team.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using emtr::Team;
+
+TEST(Team, DoesEachJobOnceAndAllBeforeItReturns) {
+  for (const int threads : {1, 2, 3, 8})
+    Team::with(threads, [&](Team& team) {
+      for (std::size_t n = 0; n < 200; ++n) {
+        std::vector<int> done(n, 0);
+        team.parallel(n, [&](std::size_t i, std::size_t thread) {
+          EXPECT_LT(thread, static_cast<std::size_t>(threads));
+          ++done[i];
+        });
+        EXPECT_EQ(done, std::vector<int>(n, 1));
+      }
+    });
+}
+
+TEST(Team, RunsItsBodyOnTheCallingThread) {
+  const auto caller = std::this_thread::get_id();
+  Team::with(4, [&](Team&) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+}
+
+TEST(Team, ThrowsWhatAJobThrowsAndCanGoOn) {
+  Team::with(4, [](Team& team) {
+    const auto failing = [](std::size_t i, std::size_t) {
+      if (i == 37) throw std::runtime_error("job 37");
+    };
+    EXPECT_THROW(team.parallel(100, failing), std::runtime_error);
+    std::atomic<int> count{0};
+    team.parallel(100, [&](std::size_t, std::size_t) { ++count; });
+    EXPECT_EQ(count, 100);
+  });
+}
+
+TEST(Team, ThrowsWhatItsBodyThrows) {
+  EXPECT_THROW(Team::with(3, [](Team&) { throw std::runtime_error("body"); }),
+               std::runtime_error);
+}
+
+TEST(Team, WorksInsideAnotherParallelRegion) {
+  std::atomic<int> count{0};
+#pragma omp parallel num_threads(2)
+  Team::with(4, [&](Team& team) {
+    team.parallel(50, [&](std::size_t, std::size_t) { ++count; });
+  });
+  EXPECT_EQ(count % 50, 0);
+  EXPECT_GE(count, 50);
+}
+
+}  // namespace

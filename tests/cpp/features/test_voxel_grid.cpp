@@ -1,0 +1,26 @@
+#include "features/voxel_grid.h"
+
+#include <gtest/gtest.h>
+
+#include "support/clouds.h"
+
+namespace {
+
+TEST(VoxelGrid, CountsWhatPclWouldReturn) {
+  const emtr::Cloud cloud = emtr_test::uniform_cloud(5000, 3);
+  for (const float leaf : {0.004f, 0.013f, 0.05f, 0.2f, 0.9f, 3.0f})
+    EXPECT_EQ(emtr::count_voxels(cloud, leaf), emtr::voxel_grid(cloud, leaf).size()) << leaf;
+}
+
+TEST(VoxelGrid, PutsTheCentroidInEachCube) {
+  emtr::Cloud cloud;
+  emtr_test::push(cloud, 0.1f, 0.1f, 0.1f);
+  emtr_test::push(cloud, 0.3f, 0.1f, 0.1f);
+  emtr_test::push(cloud, -0.5f, 0.1f, 0.1f);
+  const emtr::Cloud out = emtr::voxel_grid(cloud, 1.0f);
+  ASSERT_EQ(out.size(), 2u);
+  EXPECT_FLOAT_EQ(std::max(out.x[0], out.x[1]), 0.2f);
+  EXPECT_FLOAT_EQ(std::min(out.x[0], out.x[1]), -0.5f);
+}
+
+}  // namespace

@@ -1,0 +1,153 @@
+// In the places where a pcl::Registration is used, and the progress of a run.
+#include <pcl/registration/emtr_ssc.h>
+#include <pcl/registration/incremental_registration.h>
+
+#include <stdexcept>
+
+#include "support.h"
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Registration = pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ>;
+
+class Usage : public testing::Test {
+ protected:
+  void SetUp() override {
+    reg.setNumberOfThreads(2);
+    reg.setInputSource(source);
+    reg.setInputTarget(target);
+  }
+
+  Cloud::Ptr source = sharedPair().source();
+  Cloud::Ptr target = sharedPair().target();
+  Cloud output;
+  Registration reg;
+};
+
+TEST_F(Usage, ThroughTheBaseClass) {
+  pcl::Registration<pcl::PointXYZ, pcl::PointXYZ>::Ptr base(new Registration);
+  EXPECT_EQ(base->getClassName(), "EMTRSSCRegistration");
+  base->setInputSource(source);
+  base->setInputTarget(target);
+  base->align(output);
+  EXPECT_TRUE(base->hasConverged());
+  EXPECT_LT(sharedPair().error(base->getFinalTransformation()), kRight);
+  EXPECT_LT(base->getFitnessScore(), 0.1);
+  base->setInputSource(Cloud::Ptr(new Cloud));
+  base->align(output);
+  EXPECT_FALSE(base->hasConverged());
+}
+
+TEST_F(Usage, InAnIncrementalRegistration) {
+  pcl::registration::IncrementalRegistration<pcl::PointXYZ> incremental;
+  incremental.setRegistration(pcl::make_shared<Registration>());
+  EXPECT_TRUE(incremental.registerCloud(target));
+  EXPECT_FALSE(incremental.registerCloud(Cloud::Ptr(new Cloud)));
+  EXPECT_TRUE(incremental.registerCloud(source));
+  EXPECT_LT(sharedPair().error(incremental.getDeltaTransform()), kRight);
+  EXPECT_LT(sharedPair().error(incremental.getAbsoluteTransform()), kRight);
+}
+
+// Trees that are cached or not, as other classes of PCL are used.
+TEST_F(Usage, WithEachWayToCacheTheTrees) {
+  reg.align(output);
+  const Eigen::Matrix4f first = reg.getFinalTransformation();
+  const double score = reg.getFitnessScore();
+  for (const bool keep_target : {false, true})
+    for (const bool keep_source : {false, true}) {
+      pcl::search::KdTree<pcl::PointXYZ>::Ptr of_target(new pcl::search::KdTree<pcl::PointXYZ>);
+      pcl::search::KdTree<pcl::PointXYZ>::Ptr of_source(new pcl::search::KdTree<pcl::PointXYZ>);
+      // A tree that is not to be kept holds the wrong cloud at first.
+      of_target->setInputCloud(keep_target ? target : source);
+      of_source->setInputCloud(keep_source ? source : target);
+      reg.setSearchMethodTarget(of_target, keep_target);
+      reg.setSearchMethodSource(of_source, keep_source);
+      reg.align(output);
+      EXPECT_TRUE(reg.hasConverged());
+      EXPECT_TRUE(sameBits(first, reg.getFinalTransformation()));
+      EXPECT_EQ(score, reg.getFitnessScore());
+    }
+}
+
+TEST_F(Usage, IntoTheSourceItself) {
+  const pcl::PointXYZ before = (*source)[9];
+  reg.align(*source);
+  ASSERT_TRUE(reg.hasConverged());
+  EXPECT_LT(sharedPair().error(reg.getFinalTransformation()), kRight);
+  const Eigen::Vector4f moved =
+      reg.getFinalTransformation() * Eigen::Vector4f(before.x, before.y, before.z, 1);
+  EXPECT_NEAR((*source)[9].x, moved.x(), 1e-5);
+}
+
+TEST_F(Usage, AnOrganisedCloudStaysOrganised) {
+  source->width = static_cast<std::uint32_t>(source->size() / 10);
+  source->height = 10;
+  source->header.frame_id = "scanner";
+  reg.align(output);
+  EXPECT_EQ(output.width, source->width);
+  EXPECT_EQ(output.height, 10u);
+  EXPECT_EQ(output.header.frame_id, "scanner");
+}
+
+TEST_F(Usage, ACopyIsIndependent) {
+  reg.align(output);
+  Registration copy(reg);
+  copy.setSeed(9);
+  copy.setInputSource(sharedPair().source());
+  EXPECT_TRUE(reg.hasConverged());
+  EXPECT_EQ(reg.getSeed(), 0u);
+  copy.align(output);
+  EXPECT_TRUE(copy.hasConverged());
+  EXPECT_EQ(reg.getResult()->seed, 0u);
+}
+
+TEST_F(Usage, ProgressIsToldAndChangesNothing) {
+  reg.align(output);
+  const Eigen::Matrix4f first = reg.getFinalTransformation();
+  int iterations = 0;
+  reg.setProgressCallback([&](const emtr_progress& progress) {
+    iterations += progress.iteration > 0;
+    return true;
+  });
+  reg.align(output);
+  EXPECT_EQ(iterations, 100);
+  EXPECT_TRUE(sameBits(first, reg.getFinalTransformation()));
+}
+
+TEST_F(Usage, ProgressCanStopTheRun) {
+  reg.setProgressCallback([](const emtr_progress& progress) { return progress.iteration < 5; });
+  reg.align(output);
+  EXPECT_FALSE(reg.hasConverged());
+  EXPECT_EQ(reg.getErrorMessage(), "");
+  ASSERT_NE(reg.getResult(), nullptr);
+  EXPECT_EQ(reg.getResult()->reason, EMTR_REASON_INTERRUPTED);
+  EXPECT_EQ(reg.getResult()->iterations, 5u);
+  EXPECT_EQ(reg.getReasonText(), emtr_reason_text(EMTR_REASON_INTERRUPTED));
+}
+
+TEST_F(Usage, StoppedBeforeAnyPoseTheOutputStaysWhereItWas) {
+  reg.setProgressCallback([](const emtr_progress&) { return false; });
+  reg.align(output);
+  EXPECT_FALSE(reg.hasConverged());
+  EXPECT_TRUE(allNaN(reg.getFinalTransformation()));
+  ASSERT_EQ(output.size(), source->size());
+  EXPECT_EQ(output[1].x, (*source)[1].x);
+}
+
+TEST_F(Usage, WhatTheCallbackThrowsComesOutOfAlign) {
+  reg.setProgressCallback([](const emtr_progress& progress) {
+    if (progress.iteration == 3) throw std::runtime_error("enough");
+    return true;
+  });
+  EXPECT_THROW(reg.align(output), std::runtime_error);
+  EXPECT_FALSE(reg.hasConverged());
+  EXPECT_TRUE(allNaN(reg.getFinalTransformation()));
+  EXPECT_NE(reg.getErrorMessage(), "");
+  reg.setProgressCallback({});
+  reg.align(output);
+  EXPECT_TRUE(reg.hasConverged());
+  EXPECT_EQ(reg.getErrorMessage(), "");
+}
+
+}  // namespace

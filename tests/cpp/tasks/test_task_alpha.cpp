@@ -1,0 +1,91 @@
+#include "tasks/task_alpha.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/clouds.h"
+#include "tasks/euler.h"
+
+namespace {
+
+using emtr::Cloud;
+using emtr::Rigid;
+
+emtr::Densities small_densities() {
+  emtr::Densities d;
+  d.leaf_sparse = 0.2;
+  d.leaf_dense = 0.1;
+  d.source_sparse = emtr_test::uniform_cloud(40, 1);
+  d.target_sparse = emtr_test::uniform_cloud(50, 2);
+  d.source_dense = emtr_test::uniform_cloud(200, 3);
+  d.target_dense = emtr_test::uniform_cloud(150, 4);
+  return d;
+}
+
+std::unique_ptr<emtr::Neighbors> grid(const Cloud& cloud, float radius, float leaf) {
+  return emtr::make_candidate_grid(cloud, radius, leaf);
+}
+
+Rigid pose() {
+  const double particle[6] = {0.4, -0.3, 1.1, 0.1, -0.05, 0.2};
+  return emtr::decode(particle);
+}
+
+/// Straight from the formula, in double, without a structure.
+double oracle(const Cloud& from, const Cloud& to, const Rigid& T, double c) {
+  double sum = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double p[3] = {double{from.x[i]}, double{from.y[i]}, double{from.z[i]}};
+    double y[3];
+    for (int a = 0; a < 3; ++a)
+      y[a] = T.R[3 * a] * p[0] + T.R[3 * a + 1] * p[1] + T.R[3 * a + 2] * p[2] + T.t[a];
+    double nearest = HUGE_VAL;
+    for (std::size_t k = 0; k < to.size(); ++k)
+      nearest = std::min(nearest, std::hypot(y[0] - double{to.x[k]}, y[1] - double{to.y[k]},
+                                             y[2] - double{to.z[k]}));
+    sum += nearest <= c ? 1 - std::pow(1 - nearest * nearest / (c * c), 3) : 1;
+  }
+  return sum;
+}
+
+TEST(TaskAlpha, SparseStageIsTheSourceSum) {
+  const emtr::Densities d = small_densities();
+  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), grid);
+  emtr::TaskAlpha::Scratch scratch;
+  EXPECT_NEAR(alpha.evaluate(EMTR_STAGE_SPARSE, pose(), scratch),
+              oracle(d.source_sparse, d.target_sparse, pose(), 1.5 * 0.2), 1e-3);
+  EXPECT_EQ(alpha.lookups(EMTR_STAGE_SPARSE), 40u);
+}
+
+TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
+  const emtr::Densities d = small_densities();
+  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), grid);
+  emtr::TaskAlpha::Scratch scratch;
+  const double c = 1.2 * 0.1;
+  EXPECT_NEAR(alpha.evaluate(EMTR_STAGE_DENSE, pose(), scratch),
+              oracle(d.source_dense, d.target_dense, pose(), c) +
+                  oracle(d.target_dense, d.source_dense, pose().inverse(), c),
+              1e-3);
+  EXPECT_EQ(alpha.lookups(EMTR_STAGE_DENSE), 350u);
+}
+
+TEST(TaskAlpha, IsZeroWhereTheCloudsLieOnEachOther) {
+  emtr::Densities d = small_densities();
+  d.target_dense = d.source_dense;
+  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), grid);
+  emtr::TaskAlpha::Scratch scratch;
+  EXPECT_EQ(alpha.evaluate(EMTR_STAGE_DENSE, Rigid{}, scratch), 0);
+}
+
+TEST(TaskAlpha, IsWorstFarAway) {
+  const emtr::Densities d = small_densities();
+  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), grid);
+  emtr::TaskAlpha::Scratch scratch;
+  Rigid far;
+  far.t[0] = 100;
+  EXPECT_EQ(alpha.evaluate(EMTR_STAGE_DENSE, far, scratch), alpha.worst(EMTR_STAGE_DENSE));
+  EXPECT_EQ(alpha.evaluate(EMTR_STAGE_SPARSE, far, scratch), alpha.worst(EMTR_STAGE_SPARSE));
+}
+
+}  // namespace
