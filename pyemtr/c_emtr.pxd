@@ -32,7 +32,7 @@ cdef extern from "emtr/emtr.h" nogil:
         double minimum
         double maximum
         double value
-        const char* section
+        const char* part
         const char* text
         const char* choices
 

@@ -1,7 +1,7 @@
 """How far an estimated registration is from the true one.
 
 Every ``T`` is a 4x4 rigid transformation that maps source into target, q = R p + t, in the
-user's unit. The figures are those of the EMTR-SSC paper, section IV.
+user's unit. The figures are those of the EMTR-SSC paper.
 """
 
 from __future__ import annotations

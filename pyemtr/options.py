@@ -22,7 +22,7 @@ class Setting:
     """One setting. ``minimum`` and ``maximum`` are inclusive, ``default`` is preset "paper"'s.
 
     ``type`` is "integer", "real", "switch" (False or True) or "choice" (one of ``choices``).
-    ``section`` is the part of the method it belongs to; lengths are never in the cloud's own unit.
+    ``part`` is that of the method it belongs to; lengths are never in the cloud's own unit.
     """
 
     name: str
@@ -31,7 +31,7 @@ class Setting:
     minimum: float
     maximum: float
     default: Value
-    section: str
+    part: str
     text: str
     choices: tuple[str, ...]
 
@@ -39,9 +39,9 @@ class Setting:
 def settings() -> dict[str, Setting]:
     """Every setting by name, in the library's order."""
     found = {}
-    for name, kind, unit, low, high, value, section, text, choices in _emtr.describe_settings():
-        names = tuple(part.strip() for part in choices.split(",")) if choices else ()
-        found[name] = Setting(name, kind, unit, low, high, _plain(kind, value, names), section,
+    for name, kind, unit, low, high, value, part, text, choices in _emtr.describe_settings():
+        names = tuple(word.strip() for word in choices.split(",")) if choices else ()
+        found[name] = Setting(name, kind, unit, low, high, _plain(kind, value, names), part,
                               text, names)
     return found
 

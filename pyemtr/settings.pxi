@@ -15,13 +15,13 @@ def preset_names():
 
 
 def describe_settings():
-    """One tuple a setting: name, type, unit, minimum, maximum, value, section, text, choices."""
+    """One tuple a setting: name, type, unit, minimum, maximum, value, part, text, choices."""
     cdef emtr_setting_info info
     found = []
     for index in range(emtr_setting_count()):
         check(emtr_setting_describe(index, &info))
         found.append((info.name.decode(), SETTING_TYPES[info.type], info.unit.decode(),
-                      info.minimum, info.maximum, info.value, info.section.decode(),
+                      info.minimum, info.maximum, info.value, info.part.decode(),
                       info.text.decode(), info.choices.decode()))
     return found
 

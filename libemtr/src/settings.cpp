@@ -24,10 +24,10 @@ constexpr Setting::Storage storage_of(const std::int32_t*) { return Setting::Sto
 constexpr Setting::Storage storage_of(const std::uint64_t*) { return Setting::Storage::Uint64; }
 constexpr Setting::Storage storage_of(const double*) { return Setting::Storage::Double; }
 
-#define SETTING(field, type, unit, minimum, maximum, value, section, text, choices)             \
-  {                                                                                             \
-    {#field, type, unit, minimum, maximum, value, section, text, choices},                      \
-        offsetof(Settings, field), storage_of(static_cast<decltype(Settings::field)*>(nullptr)) \
+#define SETTING(field, type, unit, minimum, maximum, value, part, text, choices)                   \
+  {                                                                                                \
+    {#field, type, unit, minimum, maximum, value, part, text, choices}, offsetof(Settings, field), \
+        storage_of(static_cast<decltype(Settings::field)*>(nullptr))                               \
   }
 
 // The one place where a setting's unit, range, default and meaning stand. The values that the
@@ -97,7 +97,7 @@ const std::vector<Setting>& table() {
               "Tukey scale d of Algorithm 2 at its end", ""),
       SETTING(sparse_to_dense, Switch, "", 0, 1, 1, "sparse to dense",
               "begin on the sparse clouds; off: dense throughout", ""),
-      SETTING(switch_fraction, Real, "iterations", 0, 1, 0.6, "sparse to dense",
+      SETTING(switch_fraction, Real, "", 0, 1, 0.6, "sparse to dense",
               "share of the iterations done on the sparse clouds (delta)", ""),
       SETTING(neighbors, Choice, "", 0, 2, 0, "", "structure behind the look-ups; same results",
               "grid,kdtree,brute"),

@@ -1,5 +1,3 @@
-#include "problem.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "error.h"
+#include "problem.h"
 #include "support/clouds.h"
 
 namespace {

@@ -1,10 +1,10 @@
-#include "rigid.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
+
+#include "rigid.h"
 
 namespace {
 

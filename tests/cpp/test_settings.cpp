@@ -1,5 +1,3 @@
-#include "settings.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "error.h"
+#include "settings.h"
 
 namespace {
 
@@ -46,9 +45,9 @@ TEST(Settings, RefusesWhatIsOutOfRange) {
   for (std::size_t i = 0; i < emtr::setting_count(); ++i) {
     const emtr_setting_info& info = emtr::setting(i).info;
     Settings s = emtr::preset("paper");
-    for (const double value : {info.minimum - 1, info.maximum * 2 + 1,
-                               std::numeric_limits<double>::quiet_NaN(),
-                               std::numeric_limits<double>::infinity()})
+    for (const double value :
+         {info.minimum - 1, info.maximum * 2 + 1, std::numeric_limits<double>::quiet_NaN(),
+          std::numeric_limits<double>::infinity()})
       EXPECT_NE(message_of([&] { emtr::set(s, info.name, value); }).find(info.name),
                 std::string::npos)
           << value;

@@ -56,8 +56,8 @@ EMTR_API const char* emtr_version(void);
  * which both clouds are centred and the larger one has radius 1.
  * emtr_setting_describe() gives unit, range, default and meaning of each. */
 typedef struct emtr_settings {
-  size_t size;   /* sizeof(emtr_settings), set by emtr_settings_init() */
-  uint64_t seed; /* any; the same seed gives the same bits */
+  size_t size;     /* sizeof(emtr_settings), set by emtr_settings_init() */
+  uint64_t seed;   /* any; the same seed gives the same bits */
   int32_t threads; /* 0: as many as the machine has; the result does not depend on it */
 
   /* densities */
@@ -76,8 +76,8 @@ typedef struct emtr_settings {
   double outlier_penalty;  /* eta, in tau */
 
   /* task alpha */
-  double scale_sparse; /* c of the S stage, sparse leaves */
-  double scale_dense;  /* c of the D stage, dense leaves */
+  double scale_sparse;      /* c of the S stage, sparse leaves */
+  double scale_dense;       /* c of the D stage, dense leaves */
   double translation_bound; /* half the side of the box, normalised frame */
 
   /* swarm */
@@ -85,18 +85,18 @@ typedef struct emtr_settings {
   int32_t iterations; /* MaxIt */
   double inertia_start;
   double inertia_end;
-  double cognitive; /* c1 */
-  double social;    /* c2 */
+  double cognitive;      /* c1 */
+  double social;         /* c2 */
   double velocity_limit; /* share of each gene's range */
 
   /* knowledge transfer and complement (Algorithm 2) */
-  int32_t transfer; /* 0: the tasks do not talk (ablation) */
+  int32_t transfer;            /* 0: the tasks do not talk (ablation) */
   double transfer_probability; /* rmp */
   double lambda_alpha_start;
   double lambda_alpha_end;
   double lambda_beta_start;
   double lambda_beta_end;
-  int32_t complement; /* 0: alpha keeps its own translation (ablation) */
+  int32_t complement;            /* 0: alpha keeps its own translation (ablation) */
   int32_t complement_iterations; /* MaxIt_KC */
   double complement_scale_start; /* d, normalised frame */
   double complement_scale_end;
@@ -120,8 +120,7 @@ typedef struct emtr_settings {
 
 /* Fills *settings with a preset: "paper" (also for a null pointer). `size` is
  * sizeof(emtr_settings) as the caller was compiled. */
-EMTR_API emtr_status emtr_settings_init(emtr_settings* settings, size_t size,
-                                        const char* preset);
+EMTR_API emtr_status emtr_settings_init(emtr_settings* settings, size_t size, const char* preset);
 
 /* The presets by index, null past the last. */
 EMTR_API const char* emtr_preset_name(size_t index);
@@ -140,7 +139,7 @@ typedef struct emtr_setting_info {
   double minimum;      /* inclusive */
   double maximum;      /* inclusive */
   double value;        /* in preset "paper" */
-  const char* section; /* the part of the method that it belongs to, "" for none */
+  const char* part;    /* the part of the method that it belongs to, "" for none */
   const char* text;    /* one line */
   const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
 } emtr_setting_info;
@@ -173,7 +172,7 @@ typedef struct emtr_cloud {
 /* ---- progress ----------------------------------------------------------------------- */
 
 typedef struct emtr_progress {
-  const char* stage; /* "frame", "densities", "features", "matching", "evolution", "verdict" */
+  const char* stage;  /* "frame", "densities", "features", "matching", "evolution", "verdict" */
   int32_t iteration;  /* done, in "evolution"; else 0 */
   int32_t iterations; /* in all */
   double best_alpha;  /* fitness of gbest of task alpha, lower is better */
@@ -210,10 +209,10 @@ typedef struct emtr_result {
   double fitness;             /* mean of rho over both dense clouds, 0 (best) to 1 */
   double inlier_ratio_source; /* share of dense source points within c of the target */
   double inlier_ratio_target;
-  double inlier_rmse;         /* of the source inliers to the nearest dense target point,
-                                 user's unit; NaN when there are none */
-  double mode_gap;            /* fitness of the best clearly different pose (over 10 degrees
-                                 or 0.15 radii away) minus that of this one */
+  double inlier_rmse; /* of the source inliers to the nearest dense target point,
+                         user's unit; NaN when there are none */
+  double mode_gap;    /* fitness of the best clearly different pose (over 10 degrees
+                         or 0.15 radii away) minus that of this one */
 
   /* counts */
   size_t points_source; /* finite */
@@ -278,8 +277,7 @@ typedef struct emtr_problem emtr_problem;
 
 /* Keeps nothing of the caller's memory. On an error *problem is set to null. */
 EMTR_API emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
-                                         const emtr_settings* settings,
-                                         emtr_problem** problem);
+                                         const emtr_settings* settings, emtr_problem** problem);
 EMTR_API void emtr_problem_free(emtr_problem* problem);
 
 /* The evolution and the verdict on a problem; the timings count its making too. */
@@ -324,8 +322,7 @@ typedef struct emtr_problem_info {
   size_t tims_pruned; /* of these, not kept in the arrays */
 } emtr_problem_info;
 
-EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem,
-                                           emtr_problem_info* info);
+EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info);
 
 typedef enum emtr_array {
   EMTR_SOURCE_SPARSE = 0, /* float32 (n, 3), normalised frame, as all clouds below */

@@ -73,7 +73,8 @@ Extent center(Points& points, const std::string& name) {
   const double radius = std::sqrt(squared_radius);
   // Rounding of large equal coordinates leaves a radius of a few units in their last place.
   if (!(radius > 1e-14 * centroid.cwiseAbs().maxCoeff()) || radius < 1e-150)
-    throw Error(EMTR_ERROR_CLOUD, name + " cloud: all points are equal, expected a radius above 1e-150");
+    throw Error(EMTR_ERROR_CLOUD,
+                name + " cloud: all points are equal, expected a radius above 1e-150");
   if (!std::isfinite(radius))
     throw Error(EMTR_ERROR_CLOUD, name + " cloud: coordinates too large, expected below 1e150");
 

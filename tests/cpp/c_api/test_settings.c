@@ -65,7 +65,7 @@ static void each_setting(void) {
     double got = 0;
     CHECK_OK(emtr_settings_init(&settings, sizeof settings, NULL));
     CHECK_OK(emtr_setting_describe(i, &info));
-    CHECK(*info.name && *info.text && info.unit && info.section && info.choices);
+    CHECK(*info.name && *info.text && info.unit && info.part && info.choices);
     CHECK(info.minimum <= info.value && info.value <= info.maximum);
     CHECK((info.type == EMTR_SETTING_CHOICE) == (*info.choices != '\0'));
 

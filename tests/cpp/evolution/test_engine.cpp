@@ -1,9 +1,8 @@
-#include "evolution/engine.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "evolution/engine.h"
 #include "problem.h"
 #include "support/clouds.h"
 
@@ -17,8 +16,9 @@ emtr::Problem problem_with(const Settings& settings) {
   return {pair.source(), pair.target(), settings, nullptr};
 }
 
-Evolution run(const emtr::Problem& p, const Settings& settings,
-              const emtr::OnIteration& on_iteration = [](int, double, double) { return false; }) {
+Evolution run(
+    const emtr::Problem& p, const Settings& settings,
+    const emtr::OnIteration& on_iteration = [](int, double, double) { return false; }) {
   return emtr::evolve(*p.alpha, *p.beta, *p.complement, settings, nullptr, on_iteration);
 }
 

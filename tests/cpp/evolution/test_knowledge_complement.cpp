@@ -1,9 +1,8 @@
-#include "evolution/knowledge_complement.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "evolution/knowledge_complement.h"
 #include "support/clouds.h"
 #include "tasks/euler.h"
 

@@ -1,9 +1,8 @@
-#include "evolution/knowledge_transfer.h"
-
 #include <gtest/gtest.h>
 
 #include <optional>
 
+#include "evolution/knowledge_transfer.h"
 #include "support/clouds.h"
 #include "tasks/euler.h"
 

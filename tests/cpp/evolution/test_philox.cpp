@@ -1,6 +1,6 @@
-#include "evolution/philox.h"
-
 #include <gtest/gtest.h>
+
+#include "evolution/philox.h"
 
 namespace {
 

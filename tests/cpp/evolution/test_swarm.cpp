@@ -1,8 +1,8 @@
-#include "evolution/swarm.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "evolution/swarm.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
-#include "evolution/team.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <thread>
 #include <vector>
+
+#include "evolution/team.h"
 
 namespace {
 
@@ -42,16 +42,13 @@ TEST(Team, ThrowsWhatAJobThrowsAndCanGoOn) {
 }
 
 TEST(Team, ThrowsWhatItsBodyThrows) {
-  EXPECT_THROW(Team::with(3, [](Team&) { throw std::runtime_error("body"); }),
-               std::runtime_error);
+  EXPECT_THROW(Team::with(3, [](Team&) { throw std::runtime_error("body"); }), std::runtime_error);
 }
 
 TEST(Team, WorksInsideAnotherParallelRegion) {
   std::atomic<int> count{0};
 #pragma omp parallel num_threads(2)
-  Team::with(4, [&](Team& team) {
-    team.parallel(50, [&](std::size_t, std::size_t) { ++count; });
-  });
+  Team::with(4, [&](Team& team) { team.parallel(50, [&](std::size_t, std::size_t) { ++count; }); });
   EXPECT_EQ(count % 50, 0);
   EXPECT_GE(count, 50);
 }

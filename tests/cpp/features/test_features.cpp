@@ -12,8 +12,8 @@ namespace {
 emtr::Cloud sphere(std::size_t n) {
   emtr::Cloud cloud;
   for (std::size_t i = 0; i < n; ++i) {
-    const double a = static_cast<double>(i) * 2.399963, z = 2 * (static_cast<double>(i) + 0.5) /
-                                                               static_cast<double>(n) - 1;
+    const double a = static_cast<double>(i) * 2.399963,
+                 z = 2 * (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 1;
     const double r = std::sqrt(1 - z * z);
     emtr_test::push(cloud, static_cast<float>(r * std::cos(a)), static_cast<float>(r * std::sin(a)),
                     static_cast<float>(z));
@@ -40,8 +40,9 @@ TEST(Features, DescriptorsAreThreeHistogramsOfOneHundred) {
   for (std::size_t i = 0; i < cloud.size(); ++i)
     for (int part = 0; part < 3; ++part) {
       float sum = 0;
-      for (int b = 0; b < 11; ++b) sum += f.descriptors[33 * i + 11 * static_cast<std::size_t>(part) +
-                                                       static_cast<std::size_t>(b)];
+      for (int b = 0; b < 11; ++b)
+        sum += f.descriptors[33 * i + 11 * static_cast<std::size_t>(part) +
+                             static_cast<std::size_t>(b)];
       EXPECT_NEAR(sum, 100, 0.01);
     }
 }

@@ -1,9 +1,9 @@
-#include "features/matching.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
+
+#include "features/matching.h"
 
 namespace {
 
@@ -24,7 +24,8 @@ double squared(const emtr::Features& a, std::size_t i, const emtr::Features& b, 
   return sum;
 }
 
-std::size_t nearest(const emtr::Features& a, std::size_t i, const emtr::Features& b, std::size_t n) {
+std::size_t nearest(const emtr::Features& a, std::size_t i, const emtr::Features& b,
+                    std::size_t n) {
   std::size_t best = 0;
   for (std::size_t j = 1; j < n; ++j)
     if (squared(a, i, b, j) < squared(a, i, b, best)) best = j;

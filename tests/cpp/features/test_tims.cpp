@@ -1,9 +1,8 @@
-#include "features/tims.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "features/tims.h"
 #include "support/clouds.h"
 
 namespace {

@@ -1,7 +1,6 @@
-#include "features/voxel_grid.h"
-
 #include <gtest/gtest.h>
 
+#include "features/voxel_grid.h"
 #include "support/clouds.h"
 
 namespace {

@@ -1,9 +1,8 @@
-#include "frame/densities.h"
-
 #include <gtest/gtest.h>
 
 #include "error.h"
 #include "features/resolution.h"
+#include "frame/densities.h"
 #include "support/clouds.h"
 
 namespace {
@@ -42,8 +41,8 @@ TEST(Densities, KeepTheLeafAboveTheSpacingOfSmallClouds) {
   const emtr_test::Pair pair(2, 1024);
   const auto normalised = emtr::normalise(pair.source(), pair.target());
   const auto d = emtr::thin(normalised, emtr::preset("paper"));
-  const double spacing = std::max(emtr::mean_resolution(normalised.source),
-                                  emtr::mean_resolution(normalised.target));
+  const double spacing =
+      std::max(emtr::mean_resolution(normalised.source), emtr::mean_resolution(normalised.target));
   EXPECT_GE(d.leaf_dense, 1.49 * spacing);
   EXPECT_LT(dense_points(d), 2000);
   EXPECT_NEAR(sparse_points(d) / dense_points(d), 0.15, 0.01);

@@ -1,5 +1,3 @@
-#include "frame/frame.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "error.h"
+#include "frame/frame.h"
 
 namespace {
 
@@ -23,8 +22,8 @@ Points ellipsoid(double unit, const Eigen::Vector3d& offset) {
   Points points;
   for (int i = 0; i < 200; ++i) {
     const double a = i * 2.39996, z = 2 * (i + 0.5) / 200 - 1, r = std::sqrt(1 - z * z);
-    points.push_back(offset + unit * Eigen::Vector3d(r * std::cos(a), 0.6 * r * std::sin(a),
-                                                     0.4 * z));
+    points.push_back(offset +
+                     unit * Eigen::Vector3d(r * std::cos(a), 0.6 * r * std::sin(a), 0.4 * z));
   }
   return points;
 }

@@ -1,10 +1,9 @@
-#include "neighbors/neighbors.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "features/kdtree_neighbors.h"
+#include "neighbors/neighbors.h"
 #include "support/clouds.h"
 
 namespace {

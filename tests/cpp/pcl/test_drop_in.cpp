@@ -30,7 +30,7 @@ struct Answer {
 
 Answer run(const std::string& program, const std::string& source, const std::string& target) {
   Answer answer;
-  FILE* pipe = popen((program + " " + source + " " + target).c_str(), "r");
+  FILE* pipe = popen(('"' + program + "\" \"" + source + "\" \"" + target + '"').c_str(), "r");
   std::string text;
   std::array<char, 256> buffer;
   while (std::fgets(buffer.data(), buffer.size(), pipe)) text += buffer.data();

@@ -1,9 +1,9 @@
-#include "tasks/euler.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <random>
+
+#include "tasks/euler.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
-#include "tasks/m_estimator.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
+
+#include "tasks/m_estimator.h"
 
 namespace {
 

@@ -1,11 +1,10 @@
-#include "tasks/task_alpha.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "support/clouds.h"
 #include "tasks/euler.h"
+#include "tasks/task_alpha.h"
 
 namespace {
 

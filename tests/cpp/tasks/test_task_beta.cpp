@@ -1,11 +1,10 @@
-#include "tasks/task_beta.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "support/clouds.h"
 #include "tasks/euler.h"
+#include "tasks/task_beta.h"
 
 namespace {
 

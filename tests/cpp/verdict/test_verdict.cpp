@@ -1,11 +1,10 @@
-#include "verdict/verdict.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "problem.h"
 #include "support/clouds.h"
+#include "verdict/verdict.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-"""Checks the cost the library counts against the paper's formula (section III-F).
+"""Checks the cost the library counts against the paper's formula.
 
 With sparse-to-dense P I (delta N_s + (1 - delta) (N_d + M_d)) nearest neighbour look-ups in
 the evaluations of task alpha, without it P I (N_d + M_d).

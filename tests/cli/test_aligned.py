@@ -1,0 +1,203 @@
+"""The moved cloud keeps every field; what has a direction turns with it."""
+
+from __future__ import annotations
+
+import cloud_files
+import numpy as np
+import pytest
+from cloud_files import read_pcd, read_ply, table, xyz
+from conftest import QUICK, rotation, surface
+
+COUNT = 240
+POINTS = surface(COUNT, 3)
+RNG = np.random.default_rng(8)
+NORMALS = RNG.normal(size=(COUNT, 3))
+NORMALS = (NORMALS / np.linalg.norm(NORMALS, axis=1)[:, None]).astype("f4")
+CURVATURE = RNG.normal(size=(COUNT, 3)).astype("f4")
+
+
+def fields(**others) -> dict[str, np.ndarray]:
+    return {"normal_x": NORMALS[:, 0], "normal_y": NORMALS[:, 1], "normal_z": NORMALS[:, 2],
+            "rgb": RNG.integers(0, 2**24, COUNT, dtype="u4"),
+            "intensity": RNG.uniform(size=COUNT).astype("f4"),
+            "ring": RNG.integers(0, 64, COUNT, dtype="u2"),
+            "label": RNG.integers(-9, 9, COUNT, dtype="i4"),
+            "time": 1.6e9 + RNG.uniform(size=COUNT)} | others
+
+
+@pytest.fixture
+def aligned(run, tmp_path):
+    """Registers a cloud to a fixed target; the moved cloud's path and T."""
+    cloud_files.write_pcd(tmp_path / "b.pcd", surface(COUNT, 4) + [1, 2, 3])
+
+    def call(source, extension: str):
+        done = run(source, "b.pcd", *QUICK, "-o", "T.txt", "--aligned", f"moved{extension}")
+        assert done.returncode in (0, 3), done.stderr
+        assert f"Saving moved{extension} [done : {COUNT} points]" in done.stderr
+        return tmp_path / f"moved{extension}", np.loadtxt(tmp_path / "T.txt")
+
+    return call
+
+
+def moved(T: np.ndarray, points: np.ndarray) -> np.ndarray:
+    return points @ T[:3, :3].T + T[:3, 3]
+
+
+@pytest.mark.parametrize("data", ["ascii", "binary", "binary_compressed"])
+@pytest.mark.parametrize("dtype", ["f4", "f8"])
+def test_pcd_to_pcd(aligned, tmp_path, data, dtype):
+    rows = table(POINTS, dtype, **fields(
+        principal_curvature_x=CURVATURE[:, 0], principal_curvature_y=CURVATURE[:, 1],
+        principal_curvature_z=CURVATURE[:, 2], vp_x=CURVATURE[:, 0], vp_y=CURVATURE[:, 1],
+        vp_z=CURVATURE[:, 2], fpfh=RNG.uniform(size=(COUNT, 33)).astype("f4")))
+    cloud_files.write_pcd(tmp_path / "a.pcd", rows, data=data)
+    path, T = aligned("a.pcd", ".pcd")
+    found, _ = read_pcd(path)
+    assert found.dtype == rows.dtype
+    tolerance = 2e-6 if dtype == "f4" else 1e-14
+    assert np.allclose(xyz(found), moved(T, xyz(rows)), rtol=0, atol=tolerance * 10)
+    for names, expected in [
+            ("normal_x normal_y normal_z", NORMALS @ T[:3, :3].T),
+            ("principal_curvature_x principal_curvature_y principal_curvature_z",
+             CURVATURE @ T[:3, :3].T),
+            ("vp_x vp_y vp_z", moved(T, CURVATURE))]:
+        assert np.allclose(xyz(found, names), expected, atol=1e-5)
+        assert not np.allclose(xyz(found, names), xyz(rows, names), atol=1e-2)
+    for name in ("rgb", "intensity", "ring", "label", "time", "fpfh"):
+        assert np.array_equal(found[name], rows[name]), name
+
+
+def test_pcd_to_ply(aligned, tmp_path):
+    rows = table(POINTS, **fields())
+    cloud_files.write_pcd(tmp_path / "a.pcd", rows)
+    path, T = aligned("a.pcd", ".ply")
+    found, _ = read_ply(path)
+    assert np.allclose(xyz(found), moved(T, xyz(rows)), atol=1e-5)
+    assert np.allclose(xyz(found, "nx ny nz"), NORMALS @ T[:3, :3].T, atol=1e-5)
+    for shift, name in ((16, "red"), (8, "green"), (0, "blue")):
+        assert np.array_equal(found[name], rows["rgb"] >> shift & 255)
+    for name in ("intensity", "ring", "label", "time"):
+        assert found[name].dtype == rows[name].dtype
+        assert np.array_equal(found[name], rows[name]), name
+
+
+@pytest.mark.parametrize("extension", [".ply", ".pcd"])
+@pytest.mark.parametrize("alpha", [False, True])
+@pytest.mark.parametrize("data", ["ascii", "binary", "big"])
+def test_ply_source(aligned, tmp_path, extension, alpha, data):
+    color = {name: RNG.integers(0, 256, COUNT, dtype="u1")
+             for name in ("red", "green", "blue", "alpha")[:4 if alpha else 3]}
+    rows = table(POINTS, "f8", nx=NORMALS[:, 0], ny=NORMALS[:, 1], nz=NORMALS[:, 2], **color,
+                 quality=CURVATURE[:, 0], ring=RNG.integers(0, 64, COUNT, dtype="u2"))
+    cloud_files.write_ply(tmp_path / "a.ply", rows, data=data, faces=True)
+    path, T = aligned("a.ply", extension)
+    if extension == ".ply":
+        found, _ = read_ply(path)
+        normals = "nx ny nz"
+        for name in color:
+            assert np.array_equal(found[name], rows[name]), name
+    else:
+        found, _ = read_pcd(path)
+        normals = "normal_x normal_y normal_z"
+        packed = found["rgba" if alpha else "rgb"].copy().view("u4")
+        for shift, name in zip((16, 8, 0, 24), color, strict=False):
+            assert np.array_equal(packed >> shift & 255, rows[name]), name
+    assert found["x"].dtype == np.float64
+    assert np.allclose(xyz(found), moved(T, xyz(rows)), rtol=0, atol=1e-13)
+    assert np.allclose(xyz(found, normals), NORMALS @ T[:3, :3].T, atol=1e-5)
+    assert np.array_equal(found["quality"], rows["quality"])
+    assert np.array_equal(found["ring"], rows["ring"])
+
+
+def test_obj_source(aligned, tmp_path):
+    cloud_files.write_obj(tmp_path / "a.obj", POINTS, NORMALS)
+    found, T = aligned("a.obj", ".pcd")
+    rows, _ = read_pcd(found)
+    assert np.allclose(xyz(rows), moved(T, POINTS), atol=1e-5)
+    assert np.allclose(xyz(rows, "normal_x normal_y normal_z"), NORMALS @ T[:3, :3].T, atol=1e-5)
+
+
+def test_obj_normals_that_are_not_one_for_each_vertex(run, tmp_path):
+    cloud_files.write_obj(tmp_path / "a.obj", POINTS, NORMALS[:5])
+    done = run("a.obj", "a.obj", *QUICK, "--aligned", "m.pcd")
+    assert "warning: 'a.obj': its 5 normals are left out" in done.stderr
+    rows, _ = read_pcd(tmp_path / "m.pcd")
+    assert rows.dtype.names[:3] == ("x", "y", "z") and "normal_x" not in rows.dtype.names
+
+
+def test_normals_by_their_short_name_in_pcd(aligned, tmp_path):
+    cloud_files.write_pcd(tmp_path / "a.pcd", table(
+        POINTS, nx=NORMALS[:, 0], ny=NORMALS[:, 1], nz=NORMALS[:, 2]))
+    path, T = aligned("a.pcd", ".pcd")
+    rows, _ = read_pcd(path)
+    assert np.allclose(xyz(rows, "nx ny nz"), NORMALS @ T[:3, :3].T, atol=1e-5)
+
+
+def test_points_without_a_place_stay_where_they_are_in_the_list(aligned, tmp_path):
+    holes = POINTS.copy()
+    holes[[0, 30]] = np.nan
+    cloud_files.write_pcd(tmp_path / "a.pcd", table(holes, tag=np.arange(COUNT, dtype="u4")),
+                          width=20, height=12)
+    path, T = aligned("a.pcd", ".pcd")
+    rows, header = read_pcd(path)
+    assert np.isnan(xyz(rows)[[0, 30]]).all()
+    assert np.allclose(xyz(rows), moved(T, holes), atol=1e-5, equal_nan=True)
+    assert np.array_equal(rows["tag"], np.arange(COUNT))
+    assert (header["WIDTH"], header["HEIGHT"]) == (["20"], ["12"])
+    path, _ = aligned("a.pcd", ".ply")
+    vertices, _ = read_ply(path)
+    assert np.array_equal(vertices["tag"], np.arange(COUNT))
+
+
+def quaternion(R: np.ndarray) -> np.ndarray:
+    w = np.sqrt(1 + np.trace(R)) / 2
+    return np.array([w, (R[2, 1] - R[1, 2]) / 4 / w, (R[0, 2] - R[2, 0]) / 4 / w,
+                     (R[1, 0] - R[0, 1]) / 4 / w])
+
+
+def test_sensor_pose_moves_along(aligned, tmp_path):
+    """From PCD to PLY and from there to PCD; in map coordinates, where six digits are too few."""
+    R = rotation([1, -1, 2], 0.7)
+    origin = np.array([500123.25, 2.5, -3.0])
+    words = " ".join(f"{value:.9g}" for value in [*origin, *quaternion(R)])
+    cloud_files.write_pcd(tmp_path / "a.pcd", table(POINTS + origin, "f8"), viewpoint=words)
+    path, T = aligned("a.pcd", ".pcd")
+    _, header = read_pcd(path)
+    found = np.array(header["VIEWPOINT"], float)
+    expected = moved(T, origin)
+    assert np.allclose(found[:3], expected, rtol=2e-7, atol=0.05)
+    q = quaternion(T[:3, :3] @ R)
+    assert np.allclose(found[3:] * np.sign(found[3:] @ q), q, atol=1e-5)
+
+    path, T = aligned("a.pcd", ".ply")
+    _, camera = read_ply(path)
+    assert np.allclose(xyz(camera, "view_px view_py view_pz")[0], expected, rtol=2e-7, atol=0.05)
+    turned = np.array([[camera[f"{i}_axis{j}"][0] for j in "xyz"] for i in "xyz"])
+    assert np.allclose(turned, T[:3, :3] @ R, atol=1e-5)
+
+    path.rename(tmp_path / "again.ply")
+    path, second = aligned("again.ply", ".pcd")
+    _, header = read_pcd(path)
+    assert np.allclose(np.array(header["VIEWPOINT"][:3], float), moved(second, expected),
+                       rtol=4e-7, atol=0.1)
+
+
+def test_padding_of_pcd(aligned, tmp_path):
+    """PCL's own files have fields "_", which PLY cannot tell from data."""
+    rows = table(POINTS, pad=np.zeros((COUNT, 4), "u1"), intensity=CURVATURE[:, 0])
+    path = cloud_files.write_pcd(tmp_path / "a.pcd", rows)
+    path.write_bytes(path.read_bytes().replace(b"z pad", b"z _"))
+    for extension, read in ((".pcd", read_pcd), (".ply", read_ply)):
+        moved_path, T = aligned("a.pcd", extension)
+        found, _ = read(moved_path)
+        assert np.allclose(xyz(found), moved(T, POINTS), atol=1e-5)
+        assert np.array_equal(found["intensity"], CURVATURE[:, 0])
+
+
+def test_ply_has_no_room_for_some_fields(refused, tmp_path):
+    cloud_files.write_pcd(tmp_path / "b.pcd", POINTS)
+    for name, values in (("stamp", np.arange(COUNT, dtype="u8")),
+                         ("fpfh", np.zeros((COUNT, 33), "f4"))):
+        cloud_files.write_pcd(tmp_path / "a.pcd", table(POINTS, **{name: values}))
+        message = refused(2, "a.pcd", "b.pcd", "--aligned", "m.ply")
+        assert f"field '{name}'" in message and "write a .pcd" in message

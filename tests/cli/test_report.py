@@ -1,0 +1,74 @@
+"""The report tells everything about a run, as JSON."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+
+@pytest.fixture
+def report(run, clouds, tmp_path) -> dict:
+    done = run(*clouds, "-o", "T.txt", "--report", "r.json", "--threads", "2", "--seed", "3")
+    assert done.returncode == 0, done.stderr
+    return json.loads((tmp_path / "r.json").read_text())
+
+
+def test_says_what_was_run(report, run):
+    assert report["files"] == {"source": "a.pcd", "target": "b.pcd", "transformation": "T.txt",
+                               "aligned": None, "report": "r.json", "guess": None}
+    assert (report["preset"], report["seed"], report["threads"]) == ("paper", 3, 2)
+    versions = report["versions"]
+    assert run("--version").stdout == (
+        f"pcl_emtr {versions['emtr']} (PCL {versions['pcl']}, Eigen {versions['eigen']})\n")
+
+
+def test_says_what_came_out(report, tmp_path, pair):
+    assert report["registered"] is True and report["reason"] == "registered"
+    assert report["transformation"] == np.loadtxt(tmp_path / "T.txt").tolist()
+    quality = report["quality"]
+    assert set(quality) == {"fitness", "inlier_ratio_source", "inlier_ratio_target",
+                            "inlier_rmse", "mode_gap"}
+    assert all(0 <= quality[name] <= 1 for name in quality if "ratio" in name)
+    counts = report["counts"]
+    assert counts["read_source"] == counts["points_source"] == len(pair.source)
+    assert counts["read_target"] == counts["points_target"] == len(pair.target)
+    assert counts["dropped_source"] == counts["dropped_target"] == 0
+    assert 0 < counts["sparse_source"] < counts["dense_source"] <= len(pair.source)
+    assert counts["tims_pruned"] <= counts["tims"]
+    assert counts["iterations"] == len(report["history"]["alpha"]) == 100
+
+
+def test_times_and_costs_add_up(report):
+    lookups = report["lookups"]
+    assert lookups["total"] == lookups["evaluation"] + lookups["switch"] + lookups["complement"] > 0
+    seconds = report["seconds"]
+    stages = [seconds[name] for name in
+              ("frame", "densities", "features", "matching", "evolution", "verdict")]
+    assert min(stages) >= 0 and sum(stages) <= seconds["total"] * 1.01
+    assert seconds["load_source"] > 0 and seconds["load_target"] > 0
+    assert report["frame"]["scale"] > 0 and len(report["frame"]["center_source"]) == 3
+
+
+def test_is_strict_json_when_a_value_is_unknown(run, small, tmp_path):
+    """Without any inlier there is no rmse, which JSON has no number for."""
+    run(*small, "--iterations", "1", "--population", "2", "--scale-dense", "0.1", "--report",
+        "r.json")
+
+    def refuse(name):
+        raise AssertionError(f"{name} is no JSON")
+
+    values = json.loads((tmp_path / "r.json").read_text(), parse_constant=refuse)
+    rmse = values["quality"]["inlier_rmse"]
+    assert rmse is None or math.isfinite(rmse)
+
+
+def test_file_names_that_are_not_utf8(run, small, tmp_path):
+    odd = b"\xff.pcd"
+    (tmp_path / "a.pcd").rename(tmp_path / odd.decode("utf-8", "surrogateescape"))
+    done = run(odd.decode("utf-8", "surrogateescape"), "b.pcd", "--iterations", "1", "--quiet",
+               "--report", "r.json")
+    assert done.returncode in (0, 3)
+    assert json.loads((tmp_path / "r.json").read_text())["files"]["source"] == "\ufffd.pcd"

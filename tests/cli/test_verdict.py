@@ -1,0 +1,124 @@
+"""Exit codes 0 and 3, the truth found, and the same bits for any number of threads."""
+
+from __future__ import annotations
+
+import os
+import pty
+import signal
+import subprocess
+import time
+
+import cloud_files
+import numpy as np
+import pytest
+from conftest import QUICK
+
+
+def matrix(text: str) -> np.ndarray:
+    return np.array(text.split(), float).reshape(4, 4)
+
+
+def test_registered(run, clouds, pair):
+    done = run(*clouds, "--threads", "2")
+    assert done.returncode == 0, done.stderr
+    assert "> Verdict registered" in done.stderr and "warning" not in done.stderr
+    angle, distance = pair.error(matrix(done.stdout))
+    assert angle < 5 and distance < 0.1
+
+
+def test_unrelated_clouds_are_not_registered(run, tmp_path):
+    rng = np.random.default_rng(0)
+    cloud_files.write_pcd(tmp_path / "a.pcd", rng.normal(size=(1500, 3)))
+    cloud_files.write_pcd(tmp_path / "b.pcd", rng.uniform(-1, 1, (1500, 3)) * [5, 1, 0.02])
+    done = run("a.pcd", "b.pcd", "-o", "T.txt", "--aligned", "m.pcd", "--threads", "2")
+    assert done.returncode == 3, done.stderr
+    assert "pcl_emtr: warning: not registered: " in done.stderr
+    assert "the transformation is doubtful" in done.stderr
+    assert "> Verdict not registered" in done.stderr
+    assert np.loadtxt(tmp_path / "T.txt").shape == (4, 4)
+    assert (tmp_path / "m.pcd").is_file()
+
+
+def test_threads_do_not_change_a_byte(run, clouds, tmp_path):
+    found = {}
+    for threads in (1, 2, 4, 8):
+        done = run(*clouds, "--iterations", "20", "--threads", threads, "-o", "T.txt")
+        assert done.returncode in (0, 3), done.stderr
+        found[threads] = (tmp_path / "T.txt").read_bytes()
+    assert len(set(found.values())) == 1, found
+
+
+def test_seeds_matter(run, clouds):
+    few = ["--iterations", "5", "--threads", "1"]
+    assert run(*clouds, *few).stdout == run(*clouds, *few, "--seed", "0").stdout
+    assert run(*clouds, *few).stdout != run(*clouds, *few, "--seed", "1").stdout
+
+
+class Running:
+    """A run of days, caught in the evolution: its progress line on a terminal tells when."""
+
+    def __init__(self, command, folder, *arguments) -> None:
+        self.master, slave = pty.openpty()
+        self.process = subprocess.Popen(
+            [command, "a.pcd", "b.pcd", "--iterations", "1000000", "--threads", "1", *arguments],
+            cwd=folder, stdout=subprocess.PIPE, stderr=slave)
+        os.close(slave)
+        self.talk = ""
+        while "/1000000  best alpha" not in self.talk:
+            self.talk += os.read(self.master, 65536).decode()
+
+    def end(self) -> int:
+        """Reads what is still said; the exit code."""
+        while True:
+            try:
+                self.talk += os.read(self.master, 65536).decode()
+            except OSError:  # the other end is closed
+                break
+        os.close(self.master)
+        assert not self.process.communicate(timeout=60)[0]
+        return self.process.returncode
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_interrupt_gives_the_best_pose_so_far(command, clouds, tmp_path, number):
+    running = Running(command, tmp_path, "-o", "T.txt")
+    running.process.send_signal(number)
+    assert running.end() == 3, running.talk
+    assert "warning: not registered: " in running.talk and "doubtful" in running.talk
+    assert np.isfinite(np.loadtxt(tmp_path / "T.txt")).all()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["T.txt", "a.pcd", "b.pcd"]
+
+
+def test_second_interrupt_ends_the_program(command, clouds, tmp_path):
+    """One iteration of this many particles takes seconds, so the first request is not met yet."""
+    running = Running(command, tmp_path, "-o", "T.txt", "--population", "20000")
+    running.process.send_signal(signal.SIGINT)
+    time.sleep(0.1)
+    running.process.send_signal(signal.SIGINT)
+    assert running.end() == -signal.SIGINT, running.talk
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.pcd", "b.pcd"]
+
+
+def test_interrupt_before_any_pose(command, tmp_path):
+    """A cloud large enough that its features take longer than the signal needs."""
+    rng = np.random.default_rng(1)
+    cloud_files.write_pcd(tmp_path / "a.pcd", rng.uniform(size=(200000, 3)))
+    (tmp_path / "b.pcd").write_bytes((tmp_path / "a.pcd").read_bytes())
+    process = subprocess.Popen(
+        [command, "a.pcd", "b.pcd", "--dense-points", "200000", "--threads", "1", "-o", "T.txt"],
+        cwd=tmp_path, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    for line in process.stderr:  # the second cloud is loaded, the work begins
+        if "Loading b.pcd" in line:
+            break
+    time.sleep(0.3)
+    process.send_signal(signal.SIGINT)
+    _, talk = process.communicate(timeout=200)
+    assert process.returncode == 3, talk
+    assert "before any pose was known; nothing is written" in talk
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.pcd", "b.pcd"]
+
+
+def test_quiet_keeps_the_warning(run, small):
+    done = run(*small, *QUICK, "--quiet", "--maximum-fitness", "0", "--minimum-mode-gap", "1")
+    assert done.returncode == 3
+    assert done.stderr.startswith("pcl_emtr: warning: not registered: ")

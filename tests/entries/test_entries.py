@@ -1,0 +1,80 @@
+"""One pair, four ways in, any number of threads: the same bits."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pyemtr
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build"))
+DATA = Path(os.environ.get("EMTR_DATA", ROOT.parent / "shared" / "data"))
+PROGRAM, COMMAND = BUILD / "tests" / "entries" / "entries", BUILD / "tools" / "pcl_emtr"
+REAL = ["stanford/bunny_045_000", "fgr/angel_n1_18", "uwa/trex_03_01"]
+
+
+def read_ply(path: Path) -> np.ndarray:
+    plyfile = pytest.importorskip("plyfile")
+    vertex = plyfile.PlyData.read(str(path))["vertex"]
+    return np.column_stack([vertex[axis] for axis in "xyz"]).astype(np.float32)
+
+
+def generated() -> tuple[np.ndarray, np.ndarray]:
+    rng = np.random.default_rng(3)
+    u, v = rng.uniform(-1, 1, (2, 9000))
+    relief = 0.3 * np.sin(3 * u + v) * np.cos(2 * v) + 0.2 * np.exp(-8 * ((u - 0.3) ** 2 + v**2))
+    points = np.column_stack([u, v, relief]) + rng.normal(0, 0.002, (9000, 3))
+    turn = np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0]])
+    source = points[u > -0.5] @ turn + [4, 5, 6]
+    return source.astype(np.float32), points[u < 0.6].astype(np.float32)
+
+
+def write_pcd(path: Path, points: np.ndarray) -> Path:
+    header = ("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+              f"WIDTH {len(points)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(points)}\n"
+              "DATA binary\n")
+    path.write_bytes(header.encode() + points.astype("<f4").tobytes())
+    return path
+
+
+def by_programs(source: Path, target: Path, threads: int, seed: int) -> list[np.ndarray]:
+    words = [str(PROGRAM), str(source), str(target), str(threads), str(seed)]
+    printed = subprocess.run(words, capture_output=True, text=True, check=True, timeout=300).stdout
+    return [np.array([float.fromhex(word) for word in line.split()]).reshape(4, 4)
+            for line in printed.splitlines()]
+
+
+def by_shell(source: Path, target: Path, threads: int, seed: int) -> np.ndarray:
+    words = [str(COMMAND), str(source), str(target), "--threads", str(threads), "--seed", str(seed)]
+    done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=300)
+    assert done.returncode in (0, 3), done.stderr
+    return np.array(done.stdout.split(), dtype=float).reshape(4, 4)
+
+
+@pytest.mark.parametrize("pair", ["generated", *REAL])
+def test_same_bits(pair: str, tmp_path: Path) -> None:
+    for program in (PROGRAM, COMMAND):
+        if not program.is_file():
+            pytest.skip(f"no {program}: run tools/check, or set EMTR_BUILD_DIR")
+    if pair == "generated":
+        clouds = generated()
+    elif not (folder := DATA / "pairs" / pair).is_dir():
+        pytest.skip(f"no real scans at {folder}: set EMTR_DATA")
+    else:
+        clouds = read_ply(folder / "source.ply"), read_ply(folder / "target.ply")
+    files = (write_pcd(tmp_path / "source.pcd", clouds[0]),
+             write_pcd(tmp_path / "target.pcd", clouds[1]))
+
+    first = pyemtr.register(*clouds, seed=5, threads=1).transformation
+    for threads in (1, 2, 4, 8):
+        found = [pyemtr.register(*clouds, seed=5, threads=threads).transformation,
+                 by_shell(*files, threads, 5), *by_programs(*files, threads, 5)]
+        assert len(found) == 5
+        for transformation in found:
+            np.testing.assert_array_equal(transformation, first)
+    assert (pyemtr.register(*clouds, seed=6).transformation != first).any()

@@ -1,0 +1,114 @@
+#include "cloud_file.h"
+
+#include <pcl/io/obj_io.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <new>
+
+#include "coordinates.h"
+#include "failure.h"
+#include "format_check.h"
+#include "ply_camera.h"
+
+namespace cli {
+namespace {
+
+template <class Reader>
+void read(CloudFile& cloud, std::uint64_t points) {
+  Eigen::Vector4f origin = Eigen::Vector4f::Zero();
+  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  int version = 0;
+  int status = -1;
+  try {
+    status = Reader().read(cloud.path, cloud.blob, origin, orientation, version);
+  } catch (const std::bad_alloc&) {
+    throw FileFailure(cloud.path,
+                      "not enough memory for its " + std::to_string(points) + " points");
+  } catch (const std::exception& error) {
+    throw FileFailure(cloud.path, std::string("cannot be read: ") + error.what());
+  }
+  if (status < 0)
+    throw FileFailure(cloud.path, "cannot be read: truncated, damaged, or of an unusual form");
+  // PCL sorts the vertices of a PLY file into its range grid, whatever its size.
+  if (cloud.size() == 0 || cloud.blob.data.size() != cloud.size() * cloud.blob.point_step)
+    throw FileFailure(cloud.path, "cannot be read: its points are not as many as it declares");
+  cloud.sensor_origin = origin.head<3>().cast<double>();
+  cloud.sensor_orientation = orientation.cast<double>();
+}
+
+/// PCL gives the i-th normal to the i-th vertex, whatever the faces say.
+void drop_unmatched_normals(CloudFile& cloud, const ObjCounts& counts) {
+  if (counts.normals == 0 || counts.normals == counts.vertices) return;
+  auto& fields = cloud.blob.fields;
+  fields.erase(std::remove_if(fields.begin(), fields.end(),
+                              [](const pcl::PCLPointField& field) {
+                                return field.name.compare(0, 7, "normal_") == 0;
+                              }),
+               fields.end());
+  cloud.note = "its " + std::to_string(counts.normals) +
+               " normals are left out, not one for each "
+               "vertex";
+}
+
+}  // namespace
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void require_cloud_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw FileFailure(path, "no such file");
+  if (error) throw FileFailure(path, error.message());
+  if (std::filesystem::is_directory(status))
+    throw FileFailure(path, "is a directory, expected a .pcd, .ply or .obj file");
+  if (!std::filesystem::is_regular_file(status))
+    throw FileFailure(path, "is not a regular file, expected a .pcd, .ply or .obj file");
+  const std::string extension = extension_of(path);
+  if (extension != ".pcd" && extension != ".ply" && extension != ".obj")
+    throw FileFailure(
+        path, (extension.empty() ? "has no extension" : "unknown extension '" + extension + "'") +
+                  ", expected .pcd, .ply or .obj");
+  if (access(path.c_str(), R_OK) != 0) throw FileFailure(path, std::strerror(errno));
+  if (std::filesystem::file_size(path) == 0) throw FileFailure(path, "is empty");
+}
+
+CloudFile load_cloud(const std::string& path) {
+  const auto start = std::chrono::steady_clock::now();
+  require_cloud_file(path);
+  CloudFile cloud;
+  cloud.path = path;
+  const std::string extension = extension_of(path);
+  if (extension == ".pcd") {
+    read<pcl::PCDReader>(cloud, check_pcd(path));
+  } else if (extension == ".ply") {
+    read<pcl::PLYReader>(cloud, check_ply(path));
+    read_ply_camera(cloud);
+  } else {
+    const ObjCounts counts = check_obj(path);
+    read<pcl::OBJReader>(cloud, counts.vertices);
+    if (cloud.size() != counts.vertices)
+      throw FileFailure(path, "cannot be read: " + std::to_string(cloud.size()) + " of " +
+                                  std::to_string(counts.vertices) + " vertices understood");
+    drop_unmatched_normals(cloud, counts);
+  }
+  require_coordinates(cloud);
+  cloud.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return cloud;
+}
+
+}  // namespace cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <emtr/emtr.h>
+
+#include <optional>
+#include <string>
+
+namespace cli {
+
+/// What the user asked for, checked. Files that were not named are empty.
+struct Options {
+  std::string source;
+  std::string target;
+  std::string output;   // the matrix; empty: standard output
+  std::string aligned;  // the moved source
+  std::string report;
+  std::string guess;
+  std::string preset = "paper";
+  bool quiet = false;
+  emtr_settings settings{};
+};
+
+/// Nothing when --help or --version was asked for, which is printed to standard output.
+/// Throws UsageFailure or FileFailure.
+std::optional<Options> parse_command_line(int argc, char** argv);
+
+}  // namespace cli

@@ -1,0 +1,40 @@
+#include "interrupt.h"
+
+#include <signal.h>
+
+#include <array>
+
+namespace cli {
+namespace {
+
+constexpr std::array<int, 2> kSignals = {SIGINT, SIGTERM};
+std::array<struct sigaction, kSignals.size()> previous;
+volatile sig_atomic_t request = 0;
+
+void note(int) { request = 1; }
+
+}  // namespace
+
+Interrupt::Interrupt() {
+  struct sigaction action = {};
+  action.sa_handler = note;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], nullptr, &previous[i]);
+    // A shell starts background jobs with SIGINT ignored; it stays so.
+    if (previous[i].sa_handler != SIG_IGN) sigaction(kSignals[i], &action, nullptr);
+  }
+}
+
+Interrupt::~Interrupt() {
+  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &previous[i], nullptr);
+}
+
+bool Interrupt::requested() { return request != 0; }
+
+void ignore_interrupts() {
+  for (const int number : kSignals) signal(number, SIG_IGN);
+}
+
+}  // namespace cli

@@ -1,0 +1,65 @@
+#include "registration.h"
+
+#include <cmath>
+
+#include "coordinates.h"
+#include "failure.h"
+#include "interrupt.h"
+#include "talk.h"
+
+namespace cli {
+namespace {
+
+int on_progress(const emtr_progress* progress, void* line) {
+  static_cast<ProgressLine*>(line)->show(*progress);
+  return Interrupt::requested() ? 1 : 0;
+}
+
+/// The library speaks of "source cloud" and "setting 'guess'"; the user knows files.
+[[noreturn]] void fail(emtr_status status, const Options& options) {
+  const std::string message = emtr_error_message();
+  const auto after = [&](const std::string& prefix) -> std::string {
+    return message.compare(0, prefix.size(), prefix) == 0 ? message.substr(prefix.size()) : "";
+  };
+  if (status == EMTR_ERROR_CLOUD) {
+    if (const auto what = after("source cloud: "); !what.empty())
+      throw FileFailure(options.source, what);
+    if (const auto what = after("target cloud: "); !what.empty())
+      throw FileFailure(options.target, what);
+    throw Failure(kInputOutput, "'" + options.source + "', '" + options.target + "': " + message);
+  }
+  if (status == EMTR_ERROR_SETTING) {
+    if (const auto what = after("setting 'guess' "); !what.empty())
+      throw FileFailure(options.guess, what);
+    throw UsageFailure(message);
+  }
+  throw Failure(kInputOutput, std::string(emtr_status_text(status)) + ": " + message);
+}
+
+}  // namespace
+
+Result run_registration(const CloudFile& source, const CloudFile& target, const Options& options) {
+  std::vector<double> source_copy;
+  std::vector<double> target_copy;
+  const emtr_cloud source_points = coordinates(source, source_copy);
+  const emtr_cloud target_points = coordinates(target, target_copy);
+
+  emtr_result* raw = nullptr;
+  emtr_status status;
+  {
+    const Interrupt interrupt;
+    ProgressLine line(options.quiet);
+    status =
+        emtr_register(&source_points, &target_points, &options.settings, on_progress, &line, &raw);
+  }
+  if (status != EMTR_OK) fail(status, options);
+  Result result(raw);
+  for (const double value : result->transformation)
+    if (!std::isfinite(value))
+      throw Failure(kNotRegistered, std::string("not registered: ") +
+                                        emtr_reason_text(result->reason) +
+                                        " before any pose was known; nothing is written");
+  return result;
+}
+
+}  // namespace cli

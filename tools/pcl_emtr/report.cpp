@@ -1,0 +1,124 @@
+#include "report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "setting_text.h"
+#include "versions.h"
+
+namespace cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json file_name(const std::string& path) { return path.empty() ? Json() : Json(path); }
+
+Json rows(const double (&matrix)[16]) {
+  Json out = Json::array();
+  for (int i = 0; i < 16; i += 4)
+    out.push_back({matrix[i], matrix[i + 1], matrix[i + 2], matrix[i + 3]});
+  return out;
+}
+
+Json settings_json(const emtr_settings& settings) {
+  Json out;
+  for (std::size_t i = 0; i < emtr_setting_count(); ++i) {
+    emtr_setting_info info;
+    emtr_setting_describe(i, &info);
+    double value = 0;
+    emtr_setting_get(&settings, info.name, &value);
+    switch (info.type) {
+      case EMTR_SETTING_SWITCH:
+        out[info.name] = value != 0;
+        break;
+      case EMTR_SETTING_INTEGER:
+        out[info.name] = static_cast<std::int64_t>(value);
+        break;
+      case EMTR_SETTING_REAL:
+        out[info.name] = value;
+        break;
+      case EMTR_SETTING_CHOICE:
+        out[info.name] = choices_of(info).at(static_cast<std::size_t>(value));
+        break;
+    }
+  }
+  out["seed"] = settings.seed;  // all 64 bits
+  return out;
+}
+
+/// Names that stay the same when the texts are polished.
+const char* reason_name(emtr_reason reason) {
+  switch (reason) {
+    case EMTR_REASON_REGISTERED:
+      return "registered";
+    case EMTR_REASON_LOW_OVERLAP:
+      return "low_overlap";
+    case EMTR_REASON_AMBIGUOUS:
+      return "ambiguous";
+    case EMTR_REASON_FEW_MATCHES:
+      return "few_matches";
+    case EMTR_REASON_INTERRUPTED:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+std::string report(const Options& options, const CloudFile& source, const CloudFile& target,
+                   const emtr_result& r) {
+  Json out;
+  out["versions"] = {
+      {"emtr", emtr_version()}, {"pcl", PCL_VERSION_PRETTY}, {"eigen", eigen_version()}};
+  out["files"] = {{"source", options.source},
+                  {"target", options.target},
+                  {"transformation", file_name(options.output)},
+                  {"aligned", file_name(options.aligned)},
+                  {"report", options.report},
+                  {"guess", file_name(options.guess)}};
+  out["preset"] = options.preset;
+  out["seed"] = r.seed;
+  out["threads"] = r.threads;
+  out["settings"] = settings_json(options.settings);
+  out["guess"] = options.settings.has_guess ? rows(options.settings.guess) : Json();
+
+  out["registered"] = r.registered != 0;
+  out["reason"] = reason_name(r.reason);
+  out["reason_text"] = emtr_reason_text(r.reason);
+  out["transformation"] = rows(r.transformation);
+  out["quality"] = {{"fitness", r.fitness},
+                    {"inlier_ratio_source", r.inlier_ratio_source},
+                    {"inlier_ratio_target", r.inlier_ratio_target},
+                    {"inlier_rmse", r.inlier_rmse},
+                    {"mode_gap", r.mode_gap}};
+  out["counts"] = {{"read_source", source.size()},         {"read_target", target.size()},
+                   {"points_source", r.points_source},     {"points_target", r.points_target},
+                   {"dropped_source", r.dropped_source},   {"dropped_target", r.dropped_target},
+                   {"sparse_source", r.sparse_source},     {"sparse_target", r.sparse_target},
+                   {"dense_source", r.dense_source},       {"dense_target", r.dense_target},
+                   {"correspondences", r.correspondences}, {"tims", r.tims},
+                   {"tims_pruned", r.tims_pruned},         {"iterations", r.iterations}};
+  out["lookups"] = {{"evaluation", r.lookups_evaluation},
+                    {"switch", r.lookups_switch},
+                    {"complement", r.lookups_complement},
+                    {"total", r.lookups_evaluation + r.lookups_switch + r.lookups_complement}};
+  out["frame"] = {{"scale", r.scale},
+                  {"center_source", r.center_source},
+                  {"center_target", r.center_target},
+                  {"leaf_sparse", r.leaf_sparse},
+                  {"leaf_dense", r.leaf_dense}};
+  out["seconds"] = {{"load_source", source.milliseconds / 1e3},
+                    {"load_target", target.milliseconds / 1e3},
+                    {"frame", r.seconds_frame},
+                    {"densities", r.seconds_densities},
+                    {"features", r.seconds_features},
+                    {"matching", r.seconds_matching},
+                    {"evolution", r.seconds_evolution},
+                    {"verdict", r.seconds_verdict},
+                    {"total", r.seconds_total}};
+  out["history"] = {{"alpha", std::vector<double>(r.history_alpha, r.history_alpha + r.iterations)},
+                    {"beta", std::vector<double>(r.history_beta, r.history_beta + r.iterations)}};
+  // A file name need not be UTF-8; its odd bytes are replaced rather than the report lost.
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace cli

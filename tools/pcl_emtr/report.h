@@ -1,0 +1,18 @@
+#pragma once
+
+#include <emtr/emtr.h>
+
+#include <string>
+
+#include "cloud_file.h"
+#include "command_line.h"
+
+namespace cli {
+
+/// Everything about a run as JSON: enough to repeat it and to judge it. What is not known (the
+/// rmse without inliers, files not asked for) is null. Lengths are in the clouds' own unit,
+/// leaves in the normalised frame, times in seconds.
+std::string report(const Options& options, const CloudFile& source, const CloudFile& target,
+                   const emtr_result& result);
+
+}  // namespace cli
