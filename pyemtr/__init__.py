@@ -8,6 +8,7 @@ Every transformation maps source into target, q = R p + t.
 """
 
 from . import _emtr
+from ._emtr import kernel_name
 from .options import Setting, presets, settings
 from .problem import Problem
 from .progress import Progress
@@ -17,5 +18,5 @@ from .tasks import TaskAlpha, TaskBeta
 
 __version__: str = _emtr.version()
 
-__all__ = ["Problem", "Progress", "Result", "Setting", "TaskAlpha", "TaskBeta", "presets",
-           "register", "settings", "__version__"]
+__all__ = ["Problem", "Progress", "Result", "Setting", "TaskAlpha", "TaskBeta", "kernel_name",
+           "presets", "register", "settings", "__version__"]

@@ -22,6 +22,18 @@ def version():
     return emtr_version().decode()
 
 
+def kernel_name():
+    """The instruction set of the inner loops: "generic", "avx2" or "avx512".
+
+    The fastest that the machine has, or what the variable EMTR_KERNEL asks for; results have the
+    same bits with each. Raises ValueError when EMTR_KERNEL asks for what cannot run here.
+    """
+    cdef const char* name = emtr_kernel_name()
+    if name is NULL:
+        check(EMTR_ERROR_SETTING)
+    return name.decode()
+
+
 def register(source, target, Settings settings not None, callback):
     """emtr_register: float32 or float64 arrays (n, 3), the fields of a result as a dict."""
     cdef CloudBuffer a = CloudBuffer(source)

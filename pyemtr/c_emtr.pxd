@@ -13,6 +13,7 @@ cdef extern from "emtr/emtr.h" nogil:
     const char* emtr_status_text(emtr_status status)
     const char* emtr_error_message()
     const char* emtr_version()
+    const char* emtr_kernel_name()
 
     ctypedef struct emtr_settings:
         uint64_t seed
@@ -91,6 +92,7 @@ cdef extern from "emtr/emtr.h" nogil:
         const double* history_beta
         uint64_t seed
         int32_t threads
+        const char* kernel
 
     void emtr_result_free(emtr_result* result)
     emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,

@@ -41,6 +41,7 @@ cdef dict fields(const emtr_result* r):
                     "beta": listed(r.history_beta, r.iterations)},
         "seed": r.seed,
         "threads": r.threads,
+        "kernel": r.kernel.decode(),
     }
 
 

@@ -38,7 +38,8 @@ class Result:
         iterations: done.
         history: best fitness so far after each iteration, float64 (iterations,), of the tasks
             "alpha" (its scale changes at the switch from sparse to dense) and "beta".
-        seed: as given; threads: used.
+        seed: as given; threads: used; kernel: the instruction set of the inner loops, see
+            :func:`pyemtr.kernel_name`.
         settings: every setting, as keyword arguments that repeat the run:
             ``register(source, target, **result.settings)``.
     """
@@ -74,6 +75,7 @@ class Result:
     history: dict[str, Floats]
     seed: int
     threads: int
+    kernel: str
     settings: dict[str, Any]
 
     def apply(self, points: Any) -> Floats:
@@ -100,7 +102,7 @@ class Result:
             f" {self.inlier_ratio_target:.1%} of the target\n"
             f"  transformation, source into target:\n    {rows}\n"
             f"  {self.iterations} iterations, seed {self.seed}, {self.threads} threads,"
-            f" {self.timings['total']:.3f} s>")
+            f" {self.kernel}, {self.timings['total']:.3f} s>")
 
 
 def make_result(raw: Mapping[str, Any], settings: dict[str, Any]) -> Result:

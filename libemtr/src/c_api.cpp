@@ -140,6 +140,12 @@ const char* emtr_version(void) {
       EMTR_VERSION_PATCH);
 }
 
+const char* emtr_kernel_name(void) {
+  const char* name = nullptr;
+  guarded([&] { name = emtr::select_kernels().name; });
+  return name;
+}
+
 emtr_status emtr_settings_init(emtr_settings* settings, size_t size, const char* preset) {
   return guarded([&] {
     required(settings, "settings");

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "kernels/kernels.h"
+
 namespace emtr {
 
 /// Points of one cloud in the normalised frame, as a structure of arrays of float.
@@ -10,6 +12,7 @@ struct Cloud {
   std::vector<float> x, y, z;
 
   std::size_t size() const noexcept { return x.size(); }
+  PointsView view() const noexcept { return {x.data(), y.data(), z.data(), x.size()}; }
 
   void resize(std::size_t n) {
     x.resize(n);

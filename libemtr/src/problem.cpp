@@ -14,10 +14,11 @@ namespace {
 
 enum NeighborKind { Grid = 0, KdTree = 1, Brute = 2 };
 
-std::unique_ptr<Neighbors> make_neighbors(int kind, const Cloud& cloud, float radius, float leaf) {
+std::unique_ptr<Neighbors> make_neighbors(int kind, const Cloud& cloud, float radius, float leaf,
+                                          const Kernels& kernels) {
   if (kind == KdTree) return make_kdtree(cloud, radius);
   if (kind == Brute) return make_brute_force(cloud, radius);
-  return make_candidate_grid(cloud, radius, leaf);
+  return make_candidate_grid(cloud, radius, leaf, kernels);
 }
 
 bool report(const OnProgress& on_progress, const char* stage, int iteration = 0, int iterations = 0,
@@ -29,7 +30,7 @@ bool report(const OnProgress& on_progress, const char* stage, int iteration = 0,
 
 Problem::Problem(const emtr_cloud& source, const emtr_cloud& target, const Settings& s,
                  const OnProgress& on_progress)
-    : settings(s) {
+    : settings(s), kernels(select_kernels()) {
   validate(settings);
   prepare(source, target, on_progress);
 }
@@ -83,16 +84,16 @@ void Problem::match_features() {
 
 void Problem::make_tasks() {
   const auto make = [this](const Cloud& cloud, float radius, float leaf) {
-    return make_neighbors(settings.neighbors, cloud, radius, leaf);
+    return make_neighbors(settings.neighbors, cloud, radius, leaf, kernels);
   };
-  alpha = std::make_unique<TaskAlpha>(densities, settings, make);
-  beta = std::make_unique<TaskBeta>(tims, tau, settings);
+  alpha = std::make_unique<TaskAlpha>(densities, settings, kernels, make);
+  beta = std::make_unique<TaskBeta>(tims, tau, settings, kernels);
   // The complement looks far: cells no finer than a share of that keep its structure small.
   const double reach = settings.complement_scale_start;
   auto far = make(densities.target_sparse, static_cast<float>(reach),
                   static_cast<float>(std::max(1.5 * densities.leaf_sparse, reach / 5)));
   complement = std::make_unique<KnowledgeComplement>(
-      densities.source_sparse, densities.target_sparse, std::move(far), settings);
+      densities.source_sparse, densities.target_sparse, std::move(far), settings, kernels);
 }
 
 std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
@@ -100,6 +101,7 @@ std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
   Result& r = *result;
   r.seed = settings.seed;
   r.threads = thread_count(settings);
+  r.kernel = kernels.name;
   r.points_source = points_source;
   r.points_target = points_target;
   r.dropped_source = dropped_source;

@@ -33,6 +33,7 @@ class Problem {
   std::unique_ptr<Result> solve(const OnProgress& on_progress) const;
 
   const Settings settings;
+  const Kernels& kernels;  ///< the inner loops in use
   std::size_t dropped_source = 0, dropped_target = 0, points_source = 0, points_target = 0;
   Frame frame;
   Densities densities;

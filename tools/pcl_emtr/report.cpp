@@ -78,6 +78,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["preset"] = options.preset;
   out["seed"] = r.seed;
   out["threads"] = r.threads;
+  out["kernel"] = r.kernel;
   out["settings"] = settings_json(options.settings);
   out["guess"] = options.settings.has_guess ? rows(options.settings.guess) : Json();
 

@@ -76,9 +76,9 @@ void Talk::registered(const emtr_result& r) const {
        ms(r.seconds_verdict).c_str());
   counts("source", r.points_source, r.dropped_source, r.sparse_source, r.dense_source);
   counts("target", r.points_target, r.dropped_target, 0, r.dense_target);
-  INFO("  %zu correspondences, %zu TIMs (%zu pruned), %" PRIu64 " look-ups, %d threads\n",
+  INFO("  %zu correspondences, %zu TIMs (%zu pruned), %" PRIu64 " look-ups, %d threads, %s\n",
        r.correspondences, r.tims, r.tims_pruned,
-       r.lookups_evaluation + r.lookups_switch + r.lookups_complement, r.threads);
+       r.lookups_evaluation + r.lookups_switch + r.lookups_complement, r.threads, r.kernel);
   INFO("  fitness ");
   VALUE("%.4f", r.fitness);
   INFO(" (0 is best), inliers ");

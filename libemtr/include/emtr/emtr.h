@@ -49,6 +49,12 @@ EMTR_API const char* emtr_error_message(void);
 /* The library's version, as "major.minor.patch". */
 EMTR_API const char* emtr_version(void);
 
+/* The instruction set of the inner loops: "generic", "avx2" or "avx512", the fastest that the
+ * machine has, or what the variable EMTR_KERNEL asks for; the result has the same bits with each.
+ * Null, with a message, when EMTR_KERNEL asks for what this machine cannot run; a registration
+ * is then an EMTR_ERROR_SETTING. */
+EMTR_API const char* emtr_kernel_name(void);
+
 /* ---- settings ----------------------------------------------------------------------- */
 
 /* Each field has the name that the shell and Python use. Lengths are never in the user's
@@ -255,7 +261,8 @@ typedef struct emtr_result {
   const double* history_beta;
 
   uint64_t seed;
-  int32_t threads; /* used */
+  int32_t threads;    /* used */
+  const char* kernel; /* what emtr_kernel_name() gave */
 } emtr_result;
 
 EMTR_API void emtr_result_free(emtr_result* result);

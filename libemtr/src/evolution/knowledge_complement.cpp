@@ -11,8 +11,12 @@ namespace emtr {
 
 KnowledgeComplement::KnowledgeComplement(const Cloud& source, const Cloud& target,
                                          std::unique_ptr<Neighbors> neighbors,
-                                         const Settings& settings)
-    : source_(source), target_(target), neighbors_(std::move(neighbors)), settings_(settings) {}
+                                         const Settings& settings, const Kernels& kernels)
+    : source_(source),
+      target_(target),
+      neighbors_(std::move(neighbors)),
+      settings_(settings),
+      kernels_(kernels) {}
 
 void KnowledgeComplement::translation(const double* R, double t[3]) const {
   const std::size_t n = source_.size();
@@ -26,8 +30,8 @@ void KnowledgeComplement::translation(const double* R, double t[3]) const {
   for (int k = 0; k < iterations; ++k) {
     const double progress = iterations > 1 ? static_cast<double>(k) / (iterations - 1) : 0;
     const double scale = settings_.complement_scale_start * std::pow(shrink, progress);
-    transform(source_, pose, x.data(), y.data(), z.data());
-    neighbors_->nearest(x.data(), y.data(), z.data(), n, index.data(), squared.data());
+    transform(kernels_, source_, pose, x.data(), y.data(), z.data());
+    neighbors_->nearest({x.data(), y.data(), z.data(), n}, index.data(), squared.data());
 
     double weights = 0, step[3] = {};
     for (std::size_t i = 0; i < n; ++i) {

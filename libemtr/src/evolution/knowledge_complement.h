@@ -17,7 +17,8 @@ class KnowledgeComplement {
  public:
   /// `neighbors`: of the sparse target, with radius complement_scale_start.
   KnowledgeComplement(const Cloud& source, const Cloud& target,
-                      std::unique_ptr<Neighbors> neighbors, const Settings& settings);
+                      std::unique_ptr<Neighbors> neighbors, const Settings& settings,
+                      const Kernels& kernels);
 
   void translation(const double* R, double t[3]) const;
 
@@ -29,6 +30,7 @@ class KnowledgeComplement {
   const Cloud& target_;
   std::unique_ptr<Neighbors> neighbors_;
   Settings settings_;
+  const Kernels& kernels_;
 };
 
 }  // namespace emtr

@@ -13,22 +13,19 @@ class KdTreeNeighbors final : public Neighbors {
     tree_.setInputCloud(to_pcl(cloud));
   }
 
-  void squared_distances(const float* x, const float* y, const float* z, std::size_t n,
-                         float* out) const override {
-    for (std::size_t i = 0; i < n; ++i) {
-      std::int32_t index;
-      nearest(x + i, y + i, z + i, 1, &index, out + i);
-    }
+  void squared_distances(const PointsView& queries, float* out) const override {
+    std::vector<std::int32_t> index(queries.size);
+    nearest(queries, index.data(), out);
   }
 
-  void nearest(const float* x, const float* y, const float* z, std::size_t n, std::int32_t* index,
-               float* squared) const override {
+  void nearest(const PointsView& q, std::int32_t* index, float* squared) const override {
     pcl::Indices found(1);
     std::vector<float> distance(1);
-    for (std::size_t i = 0; i < n; ++i) {
-      tree_.nearestKSearch(pcl::PointXYZ(x[i], y[i], z[i]), 1, found, distance);
+    for (std::size_t i = 0; i < q.size; ++i) {
+      const float x = q.x[i], y = q.y[i], z = q.z[i];
+      tree_.nearestKSearch(pcl::PointXYZ(x, y, z), 1, found, distance);
       const auto k = static_cast<std::size_t>(found[0]);
-      const float d = squared_distance(x[i] - cloud_.x[k], y[i] - cloud_.y[k], z[i] - cloud_.z[k]);
+      const float d = squared_distance(x - cloud_.x[k], y - cloud_.y[k], z - cloud_.z[k]);
       const bool near = d < limit_;
       squared[i] = near ? d : limit_;
       index[i] = near ? found[0] : -1;

@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "neighbors.h"
 
 namespace emtr {
@@ -8,22 +10,18 @@ class BruteForce final : public Neighbors {
  public:
   BruteForce(const Cloud& cloud, float radius) : cloud_(cloud), limit_(radius * radius) {}
 
-  void squared_distances(const float* x, const float* y, const float* z, std::size_t n,
-                         float* out) const override {
-    for (std::size_t i = 0; i < n; ++i) {
-      std::int32_t index;
-      nearest(x + i, y + i, z + i, 1, &index, out + i);
-    }
+  void squared_distances(const PointsView& queries, float* out) const override {
+    std::vector<std::int32_t> index(queries.size);
+    nearest(queries, index.data(), out);
   }
 
-  void nearest(const float* x, const float* y, const float* z, std::size_t n, std::int32_t* index,
-               float* squared) const override {
-    for (std::size_t i = 0; i < n; ++i) {
+  void nearest(const PointsView& q, std::int32_t* index, float* squared) const override {
+    for (std::size_t i = 0; i < q.size; ++i) {
       squared[i] = limit_;
       index[i] = -1;
       for (std::size_t k = 0; k < cloud_.size(); ++k) {
         const float d =
-            squared_distance(x[i] - cloud_.x[k], y[i] - cloud_.y[k], z[i] - cloud_.z[k]);
+            squared_distance(q.x[i] - cloud_.x[k], q.y[i] - cloud_.y[k], q.z[i] - cloud_.z[k]);
         if (d < squared[i]) {
           squared[i] = d;
           index[i] = static_cast<std::int32_t>(k);

@@ -8,7 +8,6 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kLanes = 8;  // candidates come in padded groups of this many
 constexpr std::size_t kMostCells = std::size_t{1} << 22;
 constexpr float kFar = 1e18f;  // padding: its square is finite and beyond every radius
 /// Bounds of distances between boxes and points are widened by this, so that no rounding can
@@ -40,37 +39,28 @@ float farthest_squared(const Box& box, const float* p) {
 
 class CandidateGrid final : public Neighbors {
  public:
-  CandidateGrid(const Cloud& cloud, float radius, float cell) : limit_(radius * radius) {
+  CandidateGrid(const Cloud& cloud, float radius, float cell, const Kernels& kernels)
+      : kernels_(kernels) {
+    view_.limit = radius * radius;
     lay_out(cloud, radius, cell);
     fill(cloud, radius);
+    view_.begin = begin_.data();
+    view_.x = x_.data();
+    view_.y = y_.data();
+    view_.z = z_.data();
   }
 
-  void squared_distances(const float* x, const float* y, const float* z, std::size_t n,
-                         float* out) const override {
-    for (std::size_t i = 0; i < n; ++i) {
-      const Range range = candidates(x[i], y[i], z[i]);
-      float least[kLanes];
-      for (float& value : least) value = limit_;
-      for (std::uint32_t k = range.begin; k < range.end; k += kLanes)
-        for (std::size_t l = 0; l < kLanes; ++l) {
-          const float d = squared_distance(x[i] - x_[k + l], y[i] - y_[k + l], z[i] - z_[k + l]);
-          least[l] = d < least[l] ? d : least[l];
-        }
-      for (std::size_t half = kLanes / 2; half > 0; half /= 2)
-        for (std::size_t l = 0; l < half; ++l)
-          least[l] = least[l + half] < least[l] ? least[l + half] : least[l];
-      out[i] = least[0];
-    }
+  void squared_distances(const PointsView& queries, float* out) const override {
+    kernels_.squared_distances(view_, queries, out);
   }
 
-  void nearest(const float* x, const float* y, const float* z, std::size_t n, std::int32_t* index,
-               float* squared) const override {
-    for (std::size_t i = 0; i < n; ++i) {
-      squared[i] = limit_;
+  void nearest(const PointsView& q, std::int32_t* index, float* squared) const override {
+    for (std::size_t i = 0; i < q.size; ++i) {
+      squared[i] = view_.limit;
       index[i] = -1;
-      const Range range = candidates(x[i], y[i], z[i]);
+      const Range range = candidates(q.x[i], q.y[i], q.z[i]);
       for (std::uint32_t k = range.begin; k < range.end; ++k) {
-        const float d = squared_distance(x[i] - x_[k], y[i] - y_[k], z[i] - z_[k]);
+        const float d = squared_distance(q.x[i] - x_[k], q.y[i] - y_[k], q.z[i] - z_[k]);
         if (d < squared[i]) {
           squared[i] = d;
           index[i] = index_[k];
@@ -90,35 +80,35 @@ class CandidateGrid final : public Neighbors {
     float extent[3];
     for (int a = 0; a < 3; ++a) {
       const auto [low, high] = std::minmax_element(axes[a]->begin(), axes[a]->end());
-      origin_[a] = *low - radius * (1 + kSlack);
-      extent[a] = *high + radius * (1 + kSlack) - origin_[a];
+      view_.origin[a] = *low - radius * (1 + kSlack);
+      extent[a] = *high + radius * (1 + kSlack) - view_.origin[a];
     }
     for (;; cell *= 1.25f) {
       double cells = 1;
       for (int a = 0; a < 3; ++a) {
-        size_[a] = static_cast<std::int32_t>(std::floor(extent[a] / cell)) + 1;
-        cells *= size_[a];
+        view_.size[a] = static_cast<std::int32_t>(std::floor(extent[a] / cell)) + 1;
+        cells *= view_.size[a];
       }
       if (cells <= static_cast<double>(kMostCells)) break;
     }
     cell_ = cell;
-    inverse_cell_ = 1.0f / cell;
+    view_.inverse_cell = 1.0f / cell;
   }
 
   Box box(std::int32_t i, std::int32_t j, std::int32_t k) const {
     const std::int32_t at[3] = {i, j, k};
     Box out;
     for (int a = 0; a < 3; ++a) {
-      out.low[a] = origin_[a] + cell_ * (static_cast<float>(at[a]) - kSlack);
-      out.high[a] = origin_[a] + cell_ * (static_cast<float>(at[a]) + 1 + kSlack);
+      out.low[a] = view_.origin[a] + cell_ * (static_cast<float>(at[a]) - kSlack);
+      out.high[a] = view_.origin[a] + cell_ * (static_cast<float>(at[a]) + 1 + kSlack);
     }
     return out;
   }
 
   std::size_t key(std::int32_t i, std::int32_t j, std::int32_t k) const {
-    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size_[1]) +
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(view_.size[1]) +
             static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(size_[0]) +
+               static_cast<std::size_t>(view_.size[0]) +
            static_cast<std::size_t>(i);
   }
 
@@ -129,10 +119,11 @@ class CandidateGrid final : public Neighbors {
       const float p[3] = {cloud.x[n], cloud.y[n], cloud.z[n]};
       std::int32_t low[3], high[3];
       for (int a = 0; a < 3; ++a) {
-        const float at = (p[a] - origin_[a]) * inverse_cell_, reach = radius * inverse_cell_;
+        const float at = (p[a] - view_.origin[a]) * view_.inverse_cell,
+                    reach = radius * view_.inverse_cell;
         low[a] = std::max(0, static_cast<std::int32_t>(std::floor(at - reach - kSlack)));
         high[a] =
-            std::min(size_[a] - 1, static_cast<std::int32_t>(std::floor(at + reach + kSlack)));
+            std::min(view_.size[a] - 1, static_cast<std::int32_t>(std::floor(at + reach + kSlack)));
       }
       for (std::int32_t k = low[2]; k <= high[2]; ++k)
         for (std::int32_t j = low[1]; j <= high[1]; ++j)
@@ -141,7 +132,7 @@ class CandidateGrid final : public Neighbors {
   }
 
   void fill(const Cloud& cloud, float radius) {
-    const std::size_t cells = key(0, 0, size_[2]);
+    const std::size_t cells = key(0, 0, view_.size[2]);
     // What the nearest point can be at most, wherever in the cell the query lies.
     std::vector<float> bound(cells, radius * radius);
     for_each_reach(cloud, radius, [&](std::size_t, std::size_t c, const Box& b, const float* p) {
@@ -178,21 +169,21 @@ class CandidateGrid final : public Neighbors {
   }
 
   Range candidates(float x, float y, float z) const {
-    const float at[3] = {(x - origin_[0]) * inverse_cell_, (y - origin_[1]) * inverse_cell_,
-                         (z - origin_[2]) * inverse_cell_};
+    const float at[3] = {(x - view_.origin[0]) * view_.inverse_cell,
+                         (y - view_.origin[1]) * view_.inverse_cell,
+                         (z - view_.origin[2]) * view_.inverse_cell};
     std::int32_t cell[3];
     for (int a = 0; a < 3; ++a) {
-      if (!(at[a] >= 0) || at[a] >= static_cast<float>(size_[a])) return {0, 0};
+      if (!(at[a] >= 0) || at[a] >= static_cast<float>(view_.size[a])) return {0, 0};
       cell[a] = static_cast<std::int32_t>(at[a]);
     }
     const std::size_t c = key(cell[0], cell[1], cell[2]);
     return {begin_[c], begin_[c + 1]};
   }
 
-  float limit_;
-  float origin_[3];
-  float cell_, inverse_cell_;
-  std::int32_t size_[3];
+  const Kernels& kernels_;
+  GridView view_{};
+  float cell_ = 0;
   std::vector<std::uint32_t> begin_;  // per cell, and one past the last
   std::vector<float> x_, y_, z_;      // candidates, cell by cell
   std::vector<std::int32_t> index_;   // their rows in the cloud, -1 for padding
@@ -200,8 +191,9 @@ class CandidateGrid final : public Neighbors {
 
 }  // namespace
 
-std::unique_ptr<Neighbors> make_candidate_grid(const Cloud& cloud, float radius, float cell) {
-  return std::make_unique<CandidateGrid>(cloud, radius, cell);
+std::unique_ptr<Neighbors> make_candidate_grid(const Cloud& cloud, float radius, float cell,
+                                               const Kernels& kernels) {
+  return std::make_unique<CandidateGrid>(cloud, radius, cell, kernels);
 }
 
 }  // namespace emtr

@@ -14,14 +14,12 @@ class Neighbors {
  public:
   virtual ~Neighbors() = default;
 
-  /// out[i] = min(squared distance of query i to its nearest point, radius^2), for n queries.
-  virtual void squared_distances(const float* x, const float* y, const float* z, std::size_t n,
-                                 float* out) const = 0;
+  /// out[i] = min(squared distance of query i to its nearest point, radius^2).
+  virtual void squared_distances(const PointsView& queries, float* out) const = 0;
 
   /// index[i] = the nearest point of query i (the first of several), -1 when none is closer than
   /// the radius; squared[i] as above.
-  virtual void nearest(const float* x, const float* y, const float* z, std::size_t n,
-                       std::int32_t* index, float* squared) const = 0;
+  virtual void nearest(const PointsView& queries, std::int32_t* index, float* squared) const = 0;
 };
 
 /// The one formula of a squared distance, in this order of operations, for all of them.
@@ -33,6 +31,7 @@ std::unique_ptr<Neighbors> make_brute_force(const Cloud& cloud, float radius);
 
 /// Each cell of a regular grid lists every point that can be nearest to some place in it. `cell`
 /// is a wish: it grows where the grid would take more than a few million cells.
-std::unique_ptr<Neighbors> make_candidate_grid(const Cloud& cloud, float radius, float cell);
+std::unique_ptr<Neighbors> make_candidate_grid(const Cloud& cloud, float radius, float cell,
+                                               const Kernels& kernels);
 
 }  // namespace emtr

@@ -1,27 +1,12 @@
 #include "task_alpha.h"
 
-#include "m_estimator.h"
 #include "transform.h"
 
 namespace emtr {
-namespace {
-
-/// Squared distances of the moved points to their nearest neighbours, left in scratch.squared.
-void residuals(const Cloud& points, const Rigid& pose, const Neighbors& neighbors,
-               TaskAlpha::Scratch& scratch) {
-  const std::size_t n = points.size();
-  for (auto* v : {&scratch.x, &scratch.y, &scratch.z, &scratch.squared})
-    if (v->size() < n) v->resize(n);
-  transform(points, pose, scratch.x.data(), scratch.y.data(), scratch.z.data());
-  neighbors.squared_distances(scratch.x.data(), scratch.y.data(), scratch.z.data(), n,
-                              scratch.squared.data());
-}
-
-}  // namespace
-
-TaskAlpha::TaskAlpha(const Densities& densities, const Settings& settings,
+TaskAlpha::TaskAlpha(const Densities& densities, const Settings& settings, const Kernels& kernels,
                      const MakeNeighbors& make)
     : densities_(densities),
+      kernels_(kernels),
       scale_sparse_(settings.scale_sparse * densities.leaf_sparse),
       scale_dense_(settings.scale_dense * densities.leaf_dense) {
   const auto structure = [&](const Cloud& cloud, double scale, double leaf) {
@@ -32,11 +17,21 @@ TaskAlpha::TaskAlpha(const Densities& densities, const Settings& settings,
   source_dense_ = structure(densities.source_dense, scale_dense_, densities.leaf_dense);
 }
 
+void TaskAlpha::residuals(const Cloud& points, const Rigid& pose, const Neighbors& neighbors,
+                          Scratch& scratch) const {
+  const std::size_t n = points.size();
+  for (auto* v : {&scratch.x, &scratch.y, &scratch.z, &scratch.squared})
+    if (v->size() < n) v->resize(n);
+  transform(kernels_, points, pose, scratch.x.data(), scratch.y.data(), scratch.z.data());
+  neighbors.squared_distances({scratch.x.data(), scratch.y.data(), scratch.z.data(), n},
+                              scratch.squared.data());
+}
+
 double TaskAlpha::sum(const Cloud& points, const Rigid& pose, const Neighbors& neighbors,
                       double scale, Scratch& scratch) const {
   residuals(points, pose, neighbors, scratch);
   const auto c = static_cast<float>(scale);
-  return rho_sum(scratch.squared.data(), points.size(), 1.0f / (c * c));
+  return kernels_.rho_sum(scratch.squared.data(), points.size(), 1.0f / (c * c));
 }
 
 double TaskAlpha::evaluate(emtr_stage stage, const Rigid& pose, Scratch& scratch) const {
@@ -52,16 +47,17 @@ std::size_t TaskAlpha::lookups(emtr_stage stage) const {
   return densities_.source_dense.size() + densities_.target_dense.size();
 }
 
-std::vector<float> TaskAlpha::residuals_source(const Rigid& pose) const {
+TaskAlpha::Residuals TaskAlpha::residuals_source(const Rigid& pose) const {
   Scratch scratch;
-  residuals(densities_.source_dense, pose, *target_dense_, scratch);
-  return scratch.squared;
+  const double total = sum(densities_.source_dense, pose, *target_dense_, scale_dense_, scratch);
+  return {scratch.squared, total};
 }
 
-std::vector<float> TaskAlpha::residuals_target(const Rigid& pose) const {
+TaskAlpha::Residuals TaskAlpha::residuals_target(const Rigid& pose) const {
   Scratch scratch;
-  residuals(densities_.target_dense, pose.inverse(), *source_dense_, scratch);
-  return scratch.squared;
+  const double total =
+      sum(densities_.target_dense, pose.inverse(), *source_dense_, scale_dense_, scratch);
+  return {scratch.squared, total};
 }
 
 }  // namespace emtr

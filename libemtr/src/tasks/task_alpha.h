@@ -26,7 +26,8 @@ class TaskAlpha {
     std::vector<float> x, y, z, squared;
   };
 
-  TaskAlpha(const Densities& densities, const Settings& settings, const MakeNeighbors& make);
+  TaskAlpha(const Densities& densities, const Settings& settings, const Kernels& kernels,
+            const MakeNeighbors& make);
 
   double evaluate(emtr_stage stage, const Rigid& pose, Scratch& scratch) const;
 
@@ -39,16 +40,23 @@ class TaskAlpha {
     return stage == EMTR_STAGE_DENSE ? scale_dense_ : scale_sparse_;
   }
 
-  /// Squared distances at a pose, cut at c^2: of the dense source points to the target, of the
-  /// dense target points to the source. For the verdict.
-  std::vector<float> residuals_source(const Rigid& pose) const;
-  std::vector<float> residuals_target(const Rigid& pose) const;
+  /// Squared distances at a pose, cut at c^2, and the sum of their rho: of the dense source points
+  /// to the target, of the dense target points to the source. For the verdict.
+  struct Residuals {
+    std::vector<float> squared;
+    double rho_sum;
+  };
+  Residuals residuals_source(const Rigid& pose) const;
+  Residuals residuals_target(const Rigid& pose) const;
 
  private:
+  void residuals(const Cloud& points, const Rigid& pose, const Neighbors& neighbors,
+                 Scratch& scratch) const;
   double sum(const Cloud& points, const Rigid& pose, const Neighbors& neighbors, double scale,
              Scratch& scratch) const;
 
   const Densities& densities_;
+  const Kernels& kernels_;
   double scale_sparse_, scale_dense_;
   std::unique_ptr<Neighbors> target_sparse_, target_dense_, source_dense_;
 };

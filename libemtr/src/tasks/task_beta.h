@@ -10,7 +10,7 @@ namespace emtr {
 class TaskBeta {
  public:
   /// `tau` in the normalised frame.
-  TaskBeta(const Tims& tims, double tau, const Settings& settings);
+  TaskBeta(const Tims& tims, double tau, const Settings& settings, const Kernels& kernels);
 
   double evaluate(const double* R) const;  ///< R row-major
 
@@ -22,6 +22,7 @@ class TaskBeta {
 
  private:
   const Tims& tims_;
+  const Kernels& kernels_;
   float squared_threshold_;
   double penalty_;  ///< eta
 };

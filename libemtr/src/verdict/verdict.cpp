@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "../tasks/m_estimator.h"
-
 namespace emtr {
 namespace {
 
@@ -56,16 +54,12 @@ Verdict judge(const Evolution& evolution, const TaskAlpha& alpha, std::size_t co
               const Settings& settings) {
   const Rigid& pose = evolution.hypotheses[evolution.best].pose;
   const double c = alpha.scale(EMTR_STAGE_DENSE);
-  const std::vector<float> source = alpha.residuals_source(pose);
-  const std::vector<float> target = alpha.residuals_target(pose);
-  const auto scale = static_cast<float>(c);
-  const float inverse = 1.0f / (scale * scale);
+  const TaskAlpha::Residuals source = alpha.residuals_source(pose);
+  const TaskAlpha::Residuals target = alpha.residuals_target(pose);
 
   Verdict v;
-  v.fitness = (rho_sum(source.data(), source.size(), inverse) +
-               rho_sum(target.data(), target.size(), inverse)) /
-              alpha.worst(EMTR_STAGE_DENSE);
-  const Inliers from_source = inliers(source, c), from_target = inliers(target, c);
+  v.fitness = (source.rho_sum + target.rho_sum) / alpha.worst(EMTR_STAGE_DENSE);
+  const Inliers from_source = inliers(source.squared, c), from_target = inliers(target.squared, c);
   v.inlier_ratio_source = from_source.ratio;
   v.inlier_ratio_target = from_target.ratio;
   v.inlier_rmse = from_source.count

@@ -24,10 +24,12 @@ emtr::Cloud ball(float shift_x, float shift_y, float shift_z) {
 
 struct Fixture {
   emtr::Settings settings = emtr::preset("paper");
+  const emtr::Kernels& kernels = emtr::select_kernels();
   emtr::Cloud source, target;
   emtr::KnowledgeComplement complement() {
     const auto radius = static_cast<float>(settings.complement_scale_start);
-    return {source, target, emtr::make_candidate_grid(target, radius, 0.1f), settings};
+    return {source, target, emtr::make_candidate_grid(target, radius, 0.1f, kernels), settings,
+            kernels};
   }
 };
 

@@ -17,7 +17,8 @@ class KnowledgeTransfer : public testing::Test {
     settings.population = 2;
     settings.complement_iterations = 3;
     cloud = emtr_test::uniform_cloud(50, 1);
-    complement.emplace(cloud, cloud, emtr::make_candidate_grid(cloud, 0.5f, 0.2f), settings);
+    complement.emplace(cloud, cloud, emtr::make_candidate_grid(cloud, 0.5f, 0.2f, kernels),
+                       settings, kernels);
     alpha.emplace(emtr::pose_genes(0.5), settings, Stream::Alpha);
     beta.emplace(emtr::rotation_genes(), settings, Stream::Beta);
     const double pose[6] = {0.5, 0.2, -0.3, 0.1, 0.2, 0.3}, rotation[3] = {0.7, -0.2, 0.1};
@@ -30,6 +31,7 @@ class KnowledgeTransfer : public testing::Test {
   }
 
   emtr::Settings settings = emtr::preset("paper");
+  const emtr::Kernels& kernels = emtr::select_kernels();
   emtr::Cloud cloud;
   std::optional<emtr::KnowledgeComplement> complement;
   std::optional<Swarm> alpha, beta;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <ostream>
 
 #include "features/kdtree_neighbors.h"
 #include "neighbors/neighbors.h"
@@ -51,6 +52,8 @@ struct Shape {
   std::function<Cloud(unsigned)> make;
 };
 
+void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
+
 class Neighbors : public testing::TestWithParam<Shape> {};
 
 /// Uniform queries, the points themselves, and places just beside them and at the truncation.
@@ -77,17 +80,18 @@ TEST_P(Neighbors, EveryStructureGivesTheBitsOfBruteForce) {
       };
       const auto ask = [&](const emtr::Neighbors& structure) {
         Answer a{std::vector<float>(n), std::vector<float>(n), std::vector<std::int32_t>(n)};
-        structure.squared_distances(q.x.data(), q.y.data(), q.z.data(), n, a.batch.data());
-        structure.nearest(q.x.data(), q.y.data(), q.z.data(), n, a.index.data(), a.squared.data());
+        structure.squared_distances(q.view(), a.batch.data());
+        structure.nearest(q.view(), a.index.data(), a.squared.data());
         return a;
       };
       const Answer truth = ask(*emtr::make_brute_force(cloud, radius));
-      for (const float cell : {0.2f * radius, 0.9f * radius}) {
-        const Answer grid = ask(*emtr::make_candidate_grid(cloud, radius, cell));
-        EXPECT_EQ(grid.batch, truth.batch);
-        EXPECT_EQ(grid.squared, truth.squared);
-        EXPECT_EQ(grid.index, truth.index);
-      }
+      for (const emtr::Kernels* kernels : emtr_test::kernels_here())
+        for (const float cell : {0.2f * radius, 0.9f * radius}) {
+          const Answer grid = ask(*emtr::make_candidate_grid(cloud, radius, cell, *kernels));
+          EXPECT_EQ(grid.batch, truth.batch) << kernels->name;
+          EXPECT_EQ(grid.squared, truth.squared);
+          EXPECT_EQ(grid.index, truth.index);
+        }
       const Answer tree = ask(*emtr::make_kdtree(cloud, radius));
       EXPECT_EQ(tree.batch, truth.batch);
       for (std::size_t i = 0; i < n; ++i)
@@ -109,9 +113,10 @@ TEST(CandidateGrid, IsCappedWhenCellsWouldBeTooMany) {
   const Cloud q = uniform_cloud(200, 8);
   std::vector<float> grid(q.size()), brute(q.size());
   const auto ask = [&](const emtr::Neighbors& s, std::vector<float>& out) {
-    s.squared_distances(q.x.data(), q.y.data(), q.z.data(), q.size(), out.data());
+    s.squared_distances(q.view(), out.data());
   };
-  ask(*emtr::make_candidate_grid(cloud, 0.2f, 1e-4f), grid);  // 10^13 cells as asked
+  ask(*emtr::make_candidate_grid(cloud, 0.2f, 1e-4f, emtr::select_kernels()),
+      grid);  // 10^13 cells as asked
   ask(*emtr::make_brute_force(cloud, 0.2f), brute);
   EXPECT_EQ(grid, brute);
 }

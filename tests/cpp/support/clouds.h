@@ -3,6 +3,7 @@
 #include <emtr/emtr.h>
 
 #include <random>
+#include <vector>
 
 #include "bumpy_pair.h"
 #include "cloud.h"
@@ -27,6 +28,14 @@ class Pair {
  private:
   bumpy_pair pair_;
 };
+
+/// The kernels that this machine can run.
+inline std::vector<const emtr::Kernels*> kernels_here() {
+  std::vector<const emtr::Kernels*> out;
+  for (std::size_t i = 0; const emtr::Kernels* kernels = emtr::kernels_at(i); ++i)
+    if (emtr::can_run(*kernels)) out.push_back(kernels);
+  return out;
+}
 
 inline void push(emtr::Cloud& cloud, float x, float y, float z) {
   cloud.x.push_back(x);

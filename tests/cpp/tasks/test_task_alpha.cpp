@@ -23,7 +23,7 @@ emtr::Densities small_densities() {
 }
 
 std::unique_ptr<emtr::Neighbors> grid(const Cloud& cloud, float radius, float leaf) {
-  return emtr::make_candidate_grid(cloud, radius, leaf);
+  return emtr::make_candidate_grid(cloud, radius, leaf, emtr::select_kernels());
 }
 
 Rigid pose() {
@@ -50,7 +50,7 @@ double oracle(const Cloud& from, const Cloud& to, const Rigid& T, double c) {
 
 TEST(TaskAlpha, SparseStageIsTheSourceSum) {
   const emtr::Densities d = small_densities();
-  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), grid);
+  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   EXPECT_NEAR(alpha.evaluate(EMTR_STAGE_SPARSE, pose(), scratch),
               oracle(d.source_sparse, d.target_sparse, pose(), 1.5 * 0.2), 1e-3);
@@ -59,7 +59,7 @@ TEST(TaskAlpha, SparseStageIsTheSourceSum) {
 
 TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
   const emtr::Densities d = small_densities();
-  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), grid);
+  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   const double c = 1.2 * 0.1;
   EXPECT_NEAR(alpha.evaluate(EMTR_STAGE_DENSE, pose(), scratch),
@@ -72,14 +72,14 @@ TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
 TEST(TaskAlpha, IsZeroWhereTheCloudsLieOnEachOther) {
   emtr::Densities d = small_densities();
   d.target_dense = d.source_dense;
-  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), grid);
+  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   EXPECT_EQ(alpha.evaluate(EMTR_STAGE_DENSE, Rigid{}, scratch), 0);
 }
 
 TEST(TaskAlpha, IsWorstFarAway) {
   const emtr::Densities d = small_densities();
-  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), grid);
+  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   Rigid far;
   far.t[0] = 100;

@@ -62,7 +62,7 @@ TEST(TaskBeta, IsTheModifiedConsensus) {
   const emtr::Tims tims =
       emtr::form_tims(c.p, c.q, c.correspondences, emtr::TaskBeta::threshold(tau, settings));
   ASSERT_GT(tims.pruned, 0u);
-  const emtr::TaskBeta beta(tims, tau, settings);
+  const emtr::TaskBeta beta(tims, tau, settings, emtr::select_kernels());
   for (int i = 0; i < 20; ++i) {
     const double angles[3] = {0.7 + 0.02 * i, 0.2, -1.3 + 0.1 * i};
     double R[9];
@@ -80,7 +80,8 @@ TEST(TaskBeta, PruningChangesNothing) {
   const emtr::Tims all = emtr::form_tims(c.p, c.q, c.correspondences, 1e3);
   ASSERT_EQ(all.pruned, 0u);
   ASSERT_GT(pruned.pruned, 500u);
-  const emtr::TaskBeta a(pruned, tau, settings), b(all, tau, settings);
+  const emtr::TaskBeta a(pruned, tau, settings, emtr::select_kernels()),
+      b(all, tau, settings, emtr::select_kernels());
   for (int i = 0; i < 50; ++i) {
     const double angles[3] = {0.1 * i, 0.05 * i, -0.2 * i};
     double R[9];
@@ -93,7 +94,7 @@ TEST(TaskBeta, PrefersTheTrueRotation) {
   const Case c = make_case(80);
   const emtr::Settings settings = emtr::preset("paper");
   const emtr::Tims tims = emtr::form_tims(c.p, c.q, c.correspondences, 0.05);
-  const emtr::TaskBeta beta(tims, 0.01, settings);
+  const emtr::TaskBeta beta(tims, 0.01, settings, emtr::select_kernels());
   const double at_truth = beta.evaluate(c.R);
   for (int i = 1; i < 30; ++i) {
     const double angles[3] = {0.7 + 0.2 * i, 0.2, -1.3};
@@ -105,7 +106,8 @@ TEST(TaskBeta, PrefersTheTrueRotation) {
 
 TEST(TaskBeta, SaysWhenItKnowsNothing) {
   const emtr::Tims none;
-  EXPECT_FALSE(emtr::TaskBeta(none, 0.01, emtr::preset("paper")).informative());
+  const emtr::TaskBeta beta(none, 0.01, emtr::preset("paper"), emtr::select_kernels());
+  EXPECT_FALSE(beta.informative());
 }
 
 }  // namespace

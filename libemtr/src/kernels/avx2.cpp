@@ -1,0 +1,10 @@
+#define EMTR_KERNEL avx2
+#include "lanes.h"
+#include "nearest.inl"
+#include "sums.inl"
+
+namespace emtr {
+extern const Kernels k_avx2;
+const Kernels k_avx2 = {"avx2", avx2::transform, avx2::squared_distances, avx2::rho_sum,
+                        avx2::consensus};
+}  // namespace emtr

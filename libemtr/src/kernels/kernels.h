@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// The inner loops, compiled once for each instruction set. These files know nothing but arrays:
+// code shared with the rest (Eigen, PCL, the standard containers) would be compiled with those
+// instructions too, and the linker might pick that copy for a machine without them.
+
+namespace emtr {
+
+constexpr std::size_t kLanes = 8;  ///< floats that are worked on side by side, in every kernel
+
+/// A candidate grid (see neighbors/candidate_grid) as bare arrays. Cell c lists the candidates
+/// begin[c] to begin[c + 1], a multiple of kLanes.
+struct GridView {
+  float origin[3], inverse_cell;
+  std::int32_t size[3];  ///< cells along each axis
+  float limit;           ///< squared radius, the answer where nothing is nearer
+  const std::uint32_t* begin;
+  const float *x, *y, *z;
+};
+
+/// Points as a structure of arrays.
+struct PointsView {
+  const float *x, *y, *z;
+  std::size_t size;
+};
+
+/// Of TIMs under a rotation.
+struct Consensus {
+  double inliers, residuals;  ///< how many, and the sum of their |q - R p|
+};
+
+/// One implementation of all inner loops. Every one gives the same bits: the operations on each
+/// number and the order of each sum are fixed, only how many are done at once differs.
+struct Kernels {
+  const char* name;
+
+  /// out[i] = R p[i] + t; R row-major.
+  void (*transform)(const PointsView& points, const float* R, const float* t, float* x, float* y,
+                    float* z);
+
+  /// out[i] = min(squared distance of query i to its nearest point, limit).
+  void (*squared_distances)(const GridView& grid, const PointsView& queries, float* out);
+
+  /// Sum of rho(squared[i]) over fixed lanes: 1 - (1 - squared / c^2)^3.
+  double (*rho_sum)(const float* squared, std::size_t n, float inverse_squared_scale);
+
+  /// Inliers are those with |q - R p|^2 < squared_threshold; R row-major.
+  Consensus (*consensus)(const PointsView& p, const PointsView& q, const float* R,
+                         float squared_threshold);
+};
+
+/// The fastest that this machine can run, or the one that the variable EMTR_KERNEL names:
+/// generic, avx2 or avx512. Throws Error when there is none of that name or it cannot run here.
+const Kernels& select_kernels();
+
+/// By index, whether or not this machine can run it; null past the last.
+const Kernels* kernels_at(std::size_t index);
+bool can_run(const Kernels& kernels);
+
+}  // namespace emtr

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "error.h"
+#include "kernels/kernels.h"
+#include "support/clouds.h"
+#include "tasks/m_estimator.h"
+
+namespace {
+
+using emtr::Cloud;
+using emtr::Kernels;
+using emtr_test::kernels_here;
+using emtr_test::uniform_cloud;
+
+constexpr float kR[9] = {0.36f, 0.48f, -0.8f, -0.8f, 0.6f, 0, 0.48f, 0.64f, 0.6f};
+constexpr float kT[3] = {0.5f, -0.25f, 0.125f};
+
+/// Sets the variable EMTR_KERNEL for as long as it lives.
+class Asked {
+ public:
+  explicit Asked(const char* name) { setenv("EMTR_KERNEL", name, 1); }
+  ~Asked() { unsetenv("EMTR_KERNEL"); }
+};
+
+TEST(Kernels, TransformIsTheSameBitsInEach) {
+  for (const std::size_t n : {1u, 7u, 8u, 9u, 100u}) {
+    const Cloud p = uniform_cloud(n, 1);
+    Cloud expected;
+    expected.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      expected.x[i] = ((kR[0] * p.x[i] + kR[1] * p.y[i]) + kR[2] * p.z[i]) + kT[0];
+      expected.y[i] = ((kR[3] * p.x[i] + kR[4] * p.y[i]) + kR[5] * p.z[i]) + kT[1];
+      expected.z[i] = ((kR[6] * p.x[i] + kR[7] * p.y[i]) + kR[8] * p.z[i]) + kT[2];
+    }
+    for (const Kernels* k : kernels_here()) {
+      Cloud out;
+      out.resize(n);
+      k->transform(p.view(), kR, kT, out.x.data(), out.y.data(), out.z.data());
+      EXPECT_EQ(out.x, expected.x) << k->name;
+      EXPECT_EQ(out.y, expected.y) << k->name;
+      EXPECT_EQ(out.z, expected.z) << k->name;
+    }
+  }
+}
+
+TEST(Kernels, RhoSumIsEveryTermAndTheSameBitsInEach) {
+  for (std::size_t n = 0; n < 60; ++n) {
+    std::vector<float> squared;
+    double expected = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      squared.push_back(static_cast<float>(i) / 60);
+      expected += static_cast<double>(emtr::rho(squared.back(), 1));
+    }
+    const double first = emtr::kernels_at(0)->rho_sum(squared.data(), n, 1);
+    EXPECT_NEAR(first, expected, 1e-12);
+    for (const Kernels* k : kernels_here())
+      EXPECT_EQ(k->rho_sum(squared.data(), n, 1), first) << k->name;
+  }
+}
+
+TEST(Kernels, ConsensusCountsTheInliersAndIsTheSameBitsInEach) {
+  for (const std::size_t n : {0u, 1u, 7u, 8u, 511u, 512u, 513u, 3000u}) {
+    const Cloud p = uniform_cloud(n, 3), q = uniform_cloud(n, 4);
+    const float threshold = 0.8f;
+    double inliers = 0, residuals = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const float d[3] = {((kR[0] * p.x[i] + kR[1] * p.y[i]) + kR[2] * p.z[i]) - q.x[i],
+                          ((kR[3] * p.x[i] + kR[4] * p.y[i]) + kR[5] * p.z[i]) - q.y[i],
+                          ((kR[6] * p.x[i] + kR[7] * p.y[i]) + kR[8] * p.z[i]) - q.z[i]};
+      const float squared = (d[0] * d[0] + d[1] * d[1]) + d[2] * d[2];
+      if (squared >= threshold * threshold) continue;
+      inliers += 1;
+      residuals += std::sqrt(static_cast<double>(squared));
+    }
+    const auto first =
+        emtr::kernels_at(0)->consensus(p.view(), q.view(), kR, threshold * threshold);
+    EXPECT_EQ(first.inliers, inliers) << n;
+    EXPECT_NEAR(first.residuals, residuals, 1e-5 * residuals + 1e-12) << n;
+    for (const Kernels* k : kernels_here()) {
+      const auto found = k->consensus(p.view(), q.view(), kR, threshold * threshold);
+      EXPECT_EQ(found.inliers, first.inliers) << k->name;
+      EXPECT_EQ(found.residuals, first.residuals) << k->name;
+    }
+  }
+}
+
+TEST(Kernels, CanBeChosenByName) {
+  for (const Kernels* k : kernels_here()) {
+    const Asked asked(k->name);
+    EXPECT_EQ(&emtr::select_kernels(), k);
+    EXPECT_STREQ(emtr_kernel_name(), k->name);
+  }
+  const Asked asked("");
+  EXPECT_EQ(&emtr::select_kernels(), kernels_here().back());
+}
+
+TEST(Kernels, AnUnknownNameIsAnError) {
+  const Asked asked("sse9");
+  EXPECT_EQ(emtr_kernel_name(), nullptr);
+  EXPECT_NE(std::string(emtr_error_message()).find("'sse9'"), std::string::npos);
+  EXPECT_NE(std::string(emtr_error_message()).find("generic"), std::string::npos);
+  const emtr_test::Pair pair(1, 1000);
+  const emtr_cloud source = pair.source(), target = pair.target();
+  emtr_result* result = nullptr;
+  EXPECT_EQ(emtr_register(&source, &target, nullptr, nullptr, nullptr, &result),
+            EMTR_ERROR_SETTING);
+}
+
+TEST(Kernels, ARegistrationIsTheSameBitsInEach) {
+  const emtr_test::Pair pair(2, 5000);
+  const emtr_cloud source = pair.source(), target = pair.target();
+  std::vector<std::vector<double>> answers;
+  for (const Kernels* k : kernels_here()) {
+    const Asked asked(k->name);
+    emtr_result* result = nullptr;
+    ASSERT_EQ(emtr_register(&source, &target, nullptr, nullptr, nullptr, &result), EMTR_OK);
+    EXPECT_STREQ(result->kernel, k->name);
+    std::vector<double> answer(result->transformation, result->transformation + 16);
+    answer.insert(answer.end(), result->history_alpha, result->history_alpha + result->iterations);
+    answer.insert(answer.end(), result->history_beta, result->history_beta + result->iterations);
+    answer.push_back(static_cast<double>(result->lookups_evaluation));
+    answers.push_back(answer);
+    emtr_result_free(result);
+  }
+  for (const auto& answer : answers) EXPECT_EQ(answer, answers.front());
+}
+
+}  // namespace
