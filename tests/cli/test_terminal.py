@@ -10,7 +10,7 @@ import subprocess
 def talk_on_terminal(command, folder, *arguments) -> tuple[str, str]:
     """What standard error gets when it is a terminal, and standard output, which is a pipe."""
     master, slave = pty.openpty()
-    process = subprocess.Popen([command, "a.pcd", "b.pcd", "--iterations", "30", *arguments],
+    process = subprocess.Popen([command, "a.pcd", "b.pcd", "--iterations", "800", *arguments],
                                cwd=folder, stdout=subprocess.PIPE, stderr=slave,
                                env=os.environ | {"TERM": "xterm"})
     os.close(slave)
@@ -34,7 +34,7 @@ def test_progress_on_a_terminal(command, clouds, tmp_path):
     shown = [part for part in talk.split("\r\033[K") if part]
     for stage in ("frame", "densities", "features", "matching", "evolution", "verdict"):
         assert any(part.startswith(stage) for part in shown), stage
-    assert "/30  best alpha " in talk and "best beta " in talk
+    assert "/800  best alpha " in talk and "best beta " in talk
     assert "\033[K" not in output and len(output.splitlines()) == 4
 
 

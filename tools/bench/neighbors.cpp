@@ -77,9 +77,9 @@ void time_look_ups(benchmark::State& state, std::size_t n, bool aligned, Answer 
     answer(poses[pose++ % kPoses], out);
     benchmark::DoNotOptimize(out.data());
   }
-  state.counters["ns_a_look_up"] = benchmark::Counter(
-      static_cast<double>(n) * 1e-9,
-      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["look_up"] =
+      benchmark::Counter(static_cast<double>(n), benchmark::Counter::kIsIterationInvariantRate |
+                                                     benchmark::Counter::kInvert);
 }
 
 struct Adaptor {
