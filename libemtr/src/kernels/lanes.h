@@ -2,11 +2,13 @@
 
 #include "kernels.h"
 
-// Eight numbers side by side, in as many registers as the instruction set needs for them. Only for
-// the files of this folder: each instruction set has a namespace of its own.
+// Numbers side by side, in as many registers as the instruction set needs for them. Only for the
+// files of this folder: each instruction set has a namespace of its own.
 
-#if defined(__AVX2__)
-#define EMTR_REGISTER 8  // floats
+#if defined(__AVX512F__)
+#define EMTR_REGISTER 16  // floats
+#elif defined(__AVX2__)
+#define EMTR_REGISTER 8
 #else
 #define EMTR_REGISTER 4
 #endif
@@ -14,89 +16,149 @@
 
 namespace emtr::EMTR_KERNEL {
 
-constexpr std::size_t kRegisters = kLanes / EMTR_REGISTER;
+template <std::size_t Width>
+struct Register;
 
+#define EMTR_DEFINE_REGISTER(width)                                   \
+  template <>                                                         \
+  struct Register<width> {                                            \
+    typedef float Float __attribute__((vector_size(4 * width)));      \
+    typedef std::int32_t Int __attribute__((vector_size(4 * width))); \
+  }
+EMTR_DEFINE_REGISTER(4);
+EMTR_DEFINE_REGISTER(8);
+EMTR_DEFINE_REGISTER(16);
+#undef EMTR_DEFINE_REGISTER
+
+// N numbers: one register, or two halves. (As an array of registers they would live in memory.)
+template <std::size_t N, bool One = (N <= EMTR_REGISTER)>
 struct Floats {
-  typedef float Register __attribute__((vector_size(4 * EMTR_REGISTER)));
-  Register r[kRegisters];
+  Floats<N / 2> low, high;
+};
+template <std::size_t N>
+struct Floats<N, true> {
+  typename Register<N>::Float v;
 };
 
+/// Integers, or masks of all bits or none.
+template <std::size_t N, bool One = (N <= EMTR_REGISTER)>
 struct Ints {
-  typedef std::int32_t Register __attribute__((vector_size(4 * EMTR_REGISTER)));
-  Register r[kRegisters];
+  Ints<N / 2> low, high;
+};
+template <std::size_t N>
+struct Ints<N, true> {
+  typename Register<N>::Int v;
 };
 
-/// Result of an operation, register by register.
-#define EMTR_EACH(Type, expression)                                   \
-  Type out;                                                           \
-  for (std::size_t i = 0; i < kRegisters; ++i) out.r[i] = expression; \
-  return out
-
-EMTR_INLINE Floats operator+(const Floats& a, const Floats& b) {
-  EMTR_EACH(Floats, a.r[i] + b.r[i]);
-}
-EMTR_INLINE Floats operator-(const Floats& a, const Floats& b) {
-  EMTR_EACH(Floats, a.r[i] - b.r[i]);
-}
-EMTR_INLINE Floats operator*(const Floats& a, const Floats& b) {
-  EMTR_EACH(Floats, a.r[i] * b.r[i]);
-}
-EMTR_INLINE Floats operator*(float a, const Floats& b) { EMTR_EACH(Floats, a * b.r[i]); }
-EMTR_INLINE Ints operator<(const Floats& a, const Floats& b) { EMTR_EACH(Ints, a.r[i] < b.r[i]); }
-EMTR_INLINE Ints operator>=(const Floats& a, const Floats& b) { EMTR_EACH(Ints, a.r[i] >= b.r[i]); }
-EMTR_INLINE Ints operator+(const Ints& a, const Ints& b) { EMTR_EACH(Ints, a.r[i] + b.r[i]); }
-EMTR_INLINE Ints operator-(const Ints& a, const Ints& b) { EMTR_EACH(Ints, a.r[i] - b.r[i]); }
-EMTR_INLINE Ints operator*(const Ints& a, std::int32_t b) { EMTR_EACH(Ints, a.r[i] * b); }
-EMTR_INLINE Ints operator&(const Ints& a, const Ints& b) { EMTR_EACH(Ints, a.r[i] & b.r[i]); }
-EMTR_INLINE Ints operator|(const Ints& a, const Ints& b) { EMTR_EACH(Ints, a.r[i] | b.r[i]); }
-EMTR_INLINE Ints operator~(const Ints& a) { EMTR_EACH(Ints, ~a.r[i]); }
-
-EMTR_INLINE Floats least(const Floats& a, const Floats& b) {
-  EMTR_EACH(Floats, b.r[i] < a.r[i] ? b.r[i] : a.r[i]);
+template <std::size_t N>
+constexpr bool one_register() {
+  return N <= EMTR_REGISTER;
 }
 
-/// Towards zero.
-EMTR_INLINE Ints truncated(const Floats& a) {
-  EMTR_EACH(Ints, __builtin_convertvector(a.r[i], Ints::Register));
+// An operation on all lanes of two operands, given for one register of each.
+#define EMTR_BINARY(Result, A, B, name, expression)          \
+  template <std::size_t N>                                   \
+  EMTR_INLINE Result<N> name(const A<N>& a, const B<N>& b) { \
+    if constexpr (one_register<N>())                         \
+      return {expression};                                   \
+    else                                                     \
+      return {name(a.low, b.low), name(a.high, b.high)};     \
+  }
+#define EMTR_UNARY(Result, A, name, expression) \
+  template <std::size_t N>                      \
+  EMTR_INLINE Result<N> name(const A<N>& a) {   \
+    if constexpr (one_register<N>())            \
+      return {expression};                      \
+    else                                        \
+      return {name(a.low), name(a.high)};       \
+  }
+
+EMTR_BINARY(Floats, Floats, Floats, operator+, a.v + b.v)
+EMTR_BINARY(Floats, Floats, Floats, operator-, a.v - b.v)
+EMTR_BINARY(Floats, Floats, Floats, operator*, a.v* b.v)
+EMTR_BINARY(Ints, Floats, Floats, operator<, a.v < b.v)
+EMTR_BINARY(Ints, Floats, Floats, operator>=, a.v >= b.v)
+EMTR_BINARY(Ints, Ints, Ints, operator+, a.v + b.v)
+EMTR_BINARY(Ints, Ints, Ints, operator-, a.v - b.v)
+EMTR_BINARY(Ints, Ints, Ints, operator*, a.v* b.v)
+EMTR_BINARY(Ints, Ints, Ints, operator&, a.v& b.v)
+EMTR_BINARY(Ints, Ints, Ints, operator|, a.v | b.v)
+EMTR_UNARY(Ints, Ints, operator~, ~a.v)
+EMTR_BINARY(Floats, Floats, Floats, least, b.v < a.v ? b.v : a.v)
+// Towards zero.
+EMTR_UNARY(Ints, Floats, truncated, __builtin_convertvector(a.v, typename Register<N>::Int))
+// `a` where the mask b is set, else 0.
+EMTR_BINARY(Floats, Floats, Ints, masked,
+            (typename Register<N>::Float)((typename Register<N>::Int)a.v& b.v))
+
+#undef EMTR_BINARY
+#undef EMTR_UNARY
+
+/// A number in every lane.
+template <std::size_t N>
+EMTR_INLINE Floats<N> all(float value) {
+  if constexpr (one_register<N>())
+    return {value - typename Register<N>::Float{}};
+  else
+    return {all<N / 2>(value), all<N / 2>(value)};
+}
+template <std::size_t N>
+EMTR_INLINE Ints<N> all(std::int32_t value) {
+  if constexpr (one_register<N>())
+    return {value - typename Register<N>::Int{}};
+  else
+    return {all<N / 2>(value), all<N / 2>(value)};
 }
 
-/// `a` where all bits of `mask` are set, 0 where none is.
-EMTR_INLINE Floats masked(const Floats& a, const Ints& mask) {
-  EMTR_EACH(Floats, (Floats::Register)((Ints::Register)a.r[i] & mask.r[i]));
+// Register by register too: whole structs copied as bytes would stay in memory.
+template <std::size_t N>
+EMTR_INLINE Floats<N> loaded(const float* from) {
+  if constexpr (one_register<N>()) {
+    Floats<N> out;
+    __builtin_memcpy(&out.v, from, sizeof out.v);
+    return out;
+  } else {
+    return {loaded<N / 2>(from), loaded<N / 2>(from + N / 2)};
+  }
 }
 
-EMTR_INLINE Floats all(float value) { EMTR_EACH(Floats, value - Floats::Register{}); }
-
-template <class Type, class Number>
-EMTR_INLINE Type loaded(const Number* from) {
-  Type out;
-  __builtin_memcpy(&out, from, sizeof out);
-  return out;
+template <std::size_t N, template <std::size_t, bool> class Lanes, class Number>
+EMTR_INLINE void store(Number* to, const Lanes<N, one_register<N>()>& from) {
+  if constexpr (one_register<N>()) {
+    __builtin_memcpy(to, &from.v, sizeof from.v);
+  } else {
+    store<N / 2, Lanes>(to, from.low);
+    store<N / 2, Lanes>(to + N / 2, from.high);
+  }
 }
 
-template <class Type, class Number>
-EMTR_INLINE void store(Number* to, const Type& from) {
-  __builtin_memcpy(to, &from, sizeof from);
+template <std::size_t N>
+EMTR_INLINE Floats<N> root(const Floats<N>& a) {
+  if constexpr (one_register<N>()) {
+    float each[N];
+    __builtin_memcpy(each, &a.v, sizeof each);
+    for (float& value : each) value = __builtin_sqrtf(value);
+    return loaded<N>(each);
+  } else {
+    return {root(a.low), root(a.high)};
+  }
 }
 
-/// The least of the eight.
-EMTR_INLINE float least_of(const Floats& a) {
-#if EMTR_REGISTER == 8
-  Floats::Register v = a.r[0], w = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
+/// The least of eight.
+EMTR_INLINE float least_of(const Floats<8>& a) {
+#if EMTR_REGISTER >= 8
+  auto v = a.v, w = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
   v = w < v ? w : v;
   w = __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
   v = w < v ? w : v;
   w = __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
 #else
-  Floats::Register v = a.r[1] < a.r[0] ? a.r[1] : a.r[0];
-  Floats::Register w = __builtin_shufflevector(v, v, 2, 3, 0, 1);
+  auto v = least(a.low, a.high).v, w = __builtin_shufflevector(v, v, 2, 3, 0, 1);
   v = w < v ? w : v;
   w = __builtin_shufflevector(v, v, 1, 0, 3, 2);
 #endif
   v = w < v ? w : v;
   return v[0];
 }
-
-#undef EMTR_EACH
 
 }  // namespace emtr::EMTR_KERNEL

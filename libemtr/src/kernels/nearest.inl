@@ -3,16 +3,18 @@
 namespace emtr::EMTR_KERNEL {
 namespace {
 
+using Eight = Floats<kLanes>;
+
 EMTR_INLINE float nearest_in_cell(const GridView& g, std::int32_t cell, float qx, float qy,
                                   float qz) {
   const std::uint32_t begin = g.begin[cell], end = g.begin[cell + 1];
   if (begin == end) return g.limit;
-  const Floats px = all(qx), py = all(qy), pz = all(qz);
-  Floats best = all(g.limit);
+  const Eight px = all<kLanes>(qx), py = all<kLanes>(qy), pz = all<kLanes>(qz);
+  Eight best = all<kLanes>(g.limit);
   for (std::uint32_t k = begin; k < end; k += kLanes) {
-    const Floats dx = px - loaded<Floats>(g.x + k);
-    const Floats dy = py - loaded<Floats>(g.y + k);
-    const Floats dz = pz - loaded<Floats>(g.z + k);
+    const Eight dx = px - loaded<kLanes>(g.x + k);
+    const Eight dy = py - loaded<kLanes>(g.y + k);
+    const Eight dz = pz - loaded<kLanes>(g.z + k);
     best = least(best, (dx * dx + dy * dy) + dz * dz);
   }
   return least_of(best);
@@ -22,15 +24,18 @@ EMTR_INLINE float nearest_in_cell(const GridView& g, std::int32_t cell, float qx
 EMTR_INLINE void cells_of(const GridView& g, const float* x, const float* y, const float* z,
                           std::int32_t* cells) {
   const float* query[3] = {x, y, z};
-  Ints inside, at[3];
+  Ints<kLanes> inside, at[3];
   for (int a = 0; a < 3; ++a) {
-    const Floats where = (loaded<Floats>(query[a]) - all(g.origin[a])) * all(g.inverse_cell);
-    const Ints here = (where >= all(0)) & (where < all(static_cast<float>(g.size[a])));
+    const Eight where =
+        (loaded<kLanes>(query[a]) - all<kLanes>(g.origin[a])) * all<kLanes>(g.inverse_cell);
+    const Ints<kLanes> here =
+        (where >= all<kLanes>(0.0f)) & (where < all<kLanes>(static_cast<float>(g.size[a])));
     inside = a == 0 ? here : inside & here;
     at[a] = truncated(where);
   }
-  const Ints cell = (at[2] * g.size[1] + at[1]) * g.size[0] + at[0];
-  store(cells, (cell & inside) | ~inside);
+  const Ints<kLanes> cell =
+      (at[2] * all<kLanes>(g.size[1]) + at[1]) * all<kLanes>(g.size[0]) + at[0];
+  store<kLanes, Ints>(cells, (cell & inside) | ~inside);
 }
 
 void squared_distances(const GridView& g, const PointsView& q, float* out) {
