@@ -5,6 +5,6 @@
 
 namespace emtr {
 extern const Kernels k_avx2;
-const Kernels k_avx2 = {"avx2", avx2::transform, avx2::squared_distances, avx2::rho_sum,
-                        avx2::consensus};
+const Kernels k_avx2 = {"avx2",        avx2::transform, avx2::squared_distances,
+                        avx2::nearest, avx2::rho_sum,   avx2::consensus};
 }  // namespace emtr

@@ -5,6 +5,6 @@
 
 namespace emtr {
 extern const Kernels k_avx512;
-const Kernels k_avx512 = {"avx512", avx512::transform, avx512::squared_distances, avx512::rho_sum,
-                          avx512::consensus};
+const Kernels k_avx512 = {"avx512",        avx512::transform, avx512::squared_distances,
+                          avx512::nearest, avx512::rho_sum,   avx512::consensus};
 }  // namespace emtr

@@ -5,6 +5,6 @@
 
 namespace emtr {
 extern const Kernels k_generic;
-const Kernels k_generic = {"generic", generic::transform, generic::squared_distances,
-                           generic::rho_sum, generic::consensus};
+const Kernels k_generic = {"generic",        generic::transform, generic::squared_distances,
+                           generic::nearest, generic::rho_sum,   generic::consensus};
 }  // namespace emtr

@@ -44,6 +44,11 @@ struct Kernels {
   /// out[i] = min(squared distance of query i to its nearest point, limit).
   void (*squared_distances)(const GridView& grid, const PointsView& queries, float* out);
 
+  /// The same with candidate[i] = where in the grid's lists the nearest point stands, the first of
+  /// several; -1 when none is closer than the radius.
+  void (*nearest)(const GridView& grid, const PointsView& queries, std::int32_t* candidate,
+                  float* squared);
+
   /// Sum of rho(squared[i]) over fixed lanes: 1 - (1 - squared / c^2)^3.
   double (*rho_sum)(const float* squared, std::size_t n, float inverse_squared_scale);
 

@@ -54,26 +54,13 @@ class CandidateGrid final : public Neighbors {
     kernels_.squared_distances(view_, queries, out);
   }
 
-  void nearest(const PointsView& q, std::int32_t* index, float* squared) const override {
-    for (std::size_t i = 0; i < q.size; ++i) {
-      squared[i] = view_.limit;
-      index[i] = -1;
-      const Range range = candidates(q.x[i], q.y[i], q.z[i]);
-      for (std::uint32_t k = range.begin; k < range.end; ++k) {
-        const float d = squared_distance(q.x[i] - x_[k], q.y[i] - y_[k], q.z[i] - z_[k]);
-        if (d < squared[i]) {
-          squared[i] = d;
-          index[i] = index_[k];
-        }
-      }
-    }
+  void nearest(const PointsView& queries, std::int32_t* index, float* squared) const override {
+    kernels_.nearest(view_, queries, index, squared);
+    for (std::size_t i = 0; i < queries.size; ++i)
+      if (index[i] >= 0) index[i] = index_[static_cast<std::size_t>(index[i])];
   }
 
  private:
-  struct Range {
-    std::uint32_t begin, end;
-  };
-
   /// Cells cover the cloud's bounding box and a margin of one radius: outside nothing is near.
   void lay_out(const Cloud& cloud, float radius, float cell) {
     const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};
@@ -166,19 +153,6 @@ class CandidateGrid final : public Neighbors {
       z_[k] = p[2];
       index_[k] = static_cast<std::int32_t>(n);
     });
-  }
-
-  Range candidates(float x, float y, float z) const {
-    const float at[3] = {(x - view_.origin[0]) * view_.inverse_cell,
-                         (y - view_.origin[1]) * view_.inverse_cell,
-                         (z - view_.origin[2]) * view_.inverse_cell};
-    std::int32_t cell[3];
-    for (int a = 0; a < 3; ++a) {
-      if (!(at[a] >= 0) || at[a] >= static_cast<float>(view_.size[a])) return {0, 0};
-      cell[a] = static_cast<std::int32_t>(at[a]);
-    }
-    const std::size_t c = key(cell[0], cell[1], cell[2]);
-    return {begin_[c], begin_[c + 1]};
   }
 
   const Kernels& kernels_;
