@@ -26,7 +26,7 @@ def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
             (or masked ones) are dropped and counted.
         target: likewise, (M, 3).
         seed: 0 <= seed < 2**64.
-        threads: 0 for as many as the machine has; the result does not depend on it.
+        threads: 0 for as many as OpenMP would use; the result does not depend on it.
         preset: one of :func:`pyemtr.presets`.
         guess: (4, 4), source into target, in the clouds' unit: tried as one hypothesis, not a
             place that the search stays near.

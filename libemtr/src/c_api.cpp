@@ -1,12 +1,15 @@
 #include <emtr/emtr.h>
-#include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <new>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "error.h"
+#include "evolution/team.h"
 #include "problem.h"
 #include "problem_arrays.h"
 #include "result.h"
@@ -37,8 +40,14 @@ emtr_status guarded(Body body) noexcept {
   } catch (const std::bad_alloc&) {
     last_error = "out of memory";
     return EMTR_ERROR_MEMORY;
+  } catch (const std::length_error&) {
+    last_error = "out of memory";
+    return EMTR_ERROR_MEMORY;
   } catch (const std::exception& error) {
     last_error = std::string("unexpected: ") + error.what();
+    return EMTR_ERROR_INTERNAL;
+  } catch (...) {
+    last_error = "the progress function threw what is no std::exception";
     return EMTR_ERROR_INTERNAL;
   }
 }
@@ -72,6 +81,15 @@ emtr::OnProgress progress_function(emtr_progress_fn progress, void* user) {
 emtr_problem& checked(emtr_problem* problem) { return required(problem, "problem"); }
 const emtr_problem& checked(const emtr_problem* problem) { return required(problem, "problem"); }
 
+/// Beyond this a translation has no digits left in the floats that the clouds are made of.
+constexpr double kFarthest = 1e6;
+
+void require_sane(const double* values, std::size_t count, const std::string& name) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (!(std::abs(values[i]) <= kFarthest))
+      throw emtr::Error(EMTR_ERROR_ARGUMENT, name + ": not finite or beyond 1e6");
+}
+
 /// Scores n particles of `genes` numbers in parallel, on the problem's own count of threads.
 template <class Score>
 void evaluate_all(const emtr_problem& problem, const double* particles, std::size_t n,
@@ -79,20 +97,15 @@ void evaluate_all(const emtr_problem& problem, const double* particles, std::siz
   if (n == 0) return;
   required(particles, "particles");
   required(fitness, "fitness");
-  for (std::size_t i = 0; i < n * genes; ++i)
-    if (!(particles[i] - particles[i] == 0))
-      throw emtr::Error(EMTR_ERROR_ARGUMENT,
-                        "particles: row " + std::to_string(i / genes) + " is not finite");
-  const auto count = static_cast<std::int64_t>(n);
-#pragma omp parallel num_threads(emtr::thread_count(problem.settings))
-  {
-    emtr::TaskAlpha::Scratch scratch;
-#pragma omp for schedule(dynamic)
-    for (std::int64_t i = 0; i < count; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      fitness[k] = score(particles + genes * k, scratch);
-    }
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    require_sane(particles + genes * i, genes, "particles: row " + std::to_string(i));
+  const int threads = emtr::thread_count(problem.settings);
+  std::vector<emtr::TaskAlpha::Scratch> scratch(static_cast<std::size_t>(threads));
+  emtr::Team::with(threads, [&](emtr::Team& team) {
+    team.parallel(n, [&](std::size_t i, std::size_t thread) {
+      fitness[i] = score(particles + genes * i, scratch[thread]);
+    });
+  });
 }
 
 }  // namespace
@@ -246,7 +259,8 @@ emtr_status emtr_complement(emtr_problem* problem, const double angles[3], doubl
   return guarded([&] {
     emtr_problem& p = checked(problem);
     double R[9];
-    emtr::euler_to_rotation(&required(angles, "angles"), R);
+    require_sane(&required(angles, "angles"), 3, "angles");
+    emtr::euler_to_rotation(angles, R);
     p.complement->translation(R, &required(translation, "translation"));
     p.lookups += p.complement->lookups();
   });
@@ -255,8 +269,8 @@ emtr_status emtr_complement(emtr_problem* problem, const double angles[3], doubl
 emtr_status emtr_particle_to_transformation(const emtr_problem* problem, const double particle[6],
                                             double T[16]) {
   return guarded([&] {
-    const emtr::Rigid pose =
-        checked(problem).frame.to_user(emtr::decode(&required(particle, "particle")));
+    require_sane(&required(particle, "particle"), 6, "particle");
+    const emtr::Rigid pose = checked(problem).frame.to_user(emtr::decode(particle));
     emtr::to_matrix(pose, &required(T, "transformation"));
   });
 }

@@ -1,6 +1,7 @@
 #include "problem.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "error.h"
@@ -133,6 +134,10 @@ std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
     watch.lap();
     Rigid guess;
     if (settings.has_guess) guess = frame.to_normalised(from_matrix(settings.guess));
+    for (const double offset : guess.t)
+      if (!(std::abs(offset) <= 1e6))
+        throw Error(EMTR_ERROR_SETTING,
+                    "setting 'guess' moves the source a million radii past the target");
     Evolution e = evolve(
         *alpha, *beta, *complement, settings, settings.has_guess ? &guess : nullptr,
         [&](int done, double best_alpha, double best_beta) {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <sstream>
 #include <vector>
 
@@ -36,7 +35,8 @@ const std::vector<Setting>& table() {
   static const std::vector<Setting> rows = {
       SETTING(seed, Integer, "", 0, kExactInteger, 0, "", "seed of all random numbers", ""),
       SETTING(threads, Integer, "threads", 0, 1024, 0, "",
-              "threads to use, 0 for all; the result does not depend on it", ""),
+              "threads to use, 0 for as many as OpenMP would; the result does not depend on it",
+              ""),
       SETTING(dense_points, Integer, "points", 100, 1e6, 4000, "sparse to dense",
               "points of both dense clouds together", ""),
       SETTING(sparse_points, Integer, "points", 10, 1e6, 600, "sparse to dense",
@@ -55,9 +55,9 @@ const std::vector<Setting>& table() {
               "largest residual of a TIM inlier", ""),
       SETTING(outlier_penalty, Real, "tau", 1e-3, 1e6, 50, "task beta",
               "eta, what each TIM outlier costs", ""),
-      SETTING(scale_sparse, Real, "sparse leaves", 0.1, 100, 1.5, "task alpha",
+      SETTING(scale_sparse, Real, "sparse leaves", 0.1, 10, 1.5, "task alpha",
               "scale c of the M-estimator in the sparse stage", ""),
-      SETTING(scale_dense, Real, "dense leaves", 0.1, 100, 1.2, "task alpha",
+      SETTING(scale_dense, Real, "dense leaves", 0.1, 10, 1.2, "task alpha",
               "scale c of the M-estimator in the dense stage", ""),
       SETTING(translation_bound, Real, "radii", 1e-3, 4, 0.5, "task alpha",
               "half the side of the box searched for translations", ""),

@@ -122,3 +122,10 @@ def test_quiet_keeps_the_warning(run, small):
     done = run(*small, *QUICK, "--quiet", "--maximum-fitness", "0", "--minimum-mode-gap", "1")
     assert done.returncode == 3
     assert done.stderr.startswith("pcl_emtr: warning: not registered: ")
+
+
+def test_one_thread_only_for_nested_regions(run, clouds):
+    environment = os.environ | {"OMP_NUM_THREADS": "4,1"}
+    nested = run(*clouds, "--quiet", env=environment)
+    assert nested.returncode == 0, nested.stderr
+    assert nested.stdout == run(*clouds, "--quiet", "--threads", "1").stdout

@@ -35,8 +35,9 @@ typedef enum emtr_status {
   EMTR_ERROR_ARGUMENT = 1, /* a null pointer, a wrong size field, a bad stride or type */
   EMTR_ERROR_SETTING = 2,  /* an unknown setting, a value out of range, a contradiction */
   EMTR_ERROR_CLOUD = 3,    /* a cloud that cannot be registered: too few points, no extent */
-  EMTR_ERROR_MEMORY = 4,   /* an allocation failed */
-  EMTR_ERROR_INTERNAL = 5  /* a defect of the library or of what it is built on */
+  EMTR_ERROR_MEMORY =
+      4, /* an allocation failed (in the parallel loops of PCL it ends the process) */
+  EMTR_ERROR_INTERNAL = 5 /* a defect of the library or of what it is built on */
 } emtr_status;
 
 /* What a status means in general, in a few words. Never null. */
@@ -64,7 +65,7 @@ EMTR_API const char* emtr_kernel_name(void);
 typedef struct emtr_settings {
   size_t size;     /* sizeof(emtr_settings), set by emtr_settings_init() */
   uint64_t seed;   /* any; the same seed gives the same bits */
-  int32_t threads; /* 0: as many as the machine has; the result does not depend on it */
+  int32_t threads; /* 0: as many as OpenMP would use; the result does not depend on it */
 
   /* densities */
   int32_t dense_points;        /* both dense clouds together */
@@ -186,7 +187,9 @@ typedef struct emtr_progress {
 } emtr_progress;
 
 /* Called on the calling thread, before each stage and after each iteration. Non-zero stops
- * the run: the result then has reason EMTR_REASON_INTERRUPTED. */
+ * the run: the result then has reason EMTR_REASON_INTERRUPTED. It must not throw. During the
+ * evolution it runs inside an OpenMP region of the library's, so OpenMP code in it gets one thread.
+ */
 typedef int (*emtr_progress_fn)(const emtr_progress* progress, void* user);
 
 /* ---- result ------------------------------------------------------------------------- */
@@ -261,7 +264,7 @@ typedef struct emtr_result {
   const double* history_beta;
 
   uint64_t seed;
-  int32_t threads;    /* used */
+  int32_t threads;    /* asked for; OpenMP may have given fewer */
   const char* kernel; /* what emtr_kernel_name() gave */
 } emtr_result;
 

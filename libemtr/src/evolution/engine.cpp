@@ -12,7 +12,7 @@ namespace {
 class Engine {
  public:
   Engine(const TaskAlpha& alpha, const TaskBeta& beta, const KnowledgeComplement& complement,
-         const Settings& settings, Team& team)
+         const Settings& settings, std::size_t threads, Team& team)
       : team_(team),
         alpha_(alpha),
         beta_(beta),
@@ -20,7 +20,7 @@ class Engine {
         transfer_(complement, settings),
         poses_(pose_genes(settings.translation_bound), settings, Stream::Alpha),
         rotations_(rotation_genes(), settings, Stream::Beta),
-        scratch_(static_cast<std::size_t>(thread_count(settings))),
+        scratch_(threads),
         stage_(settings.sparse_to_dense ? EMTR_STAGE_SPARSE : EMTR_STAGE_DENSE) {}
 
   void place(const Rigid& guess) {
@@ -32,7 +32,7 @@ class Engine {
 
   Evolution run(const OnIteration& on_iteration) {
     const int switch_at =
-        static_cast<int>(std::ceil(settings_.switch_fraction * settings_.iterations));
+        static_cast<int>(std::ceil(settings_.switch_fraction * settings_.iterations - 1e-9));
     for (int it = 0; it < settings_.iterations && !out_.stopped; ++it) {
       if (stage_ == EMTR_STAGE_SPARSE && it == switch_at) become_dense();
       evaluate();
@@ -111,8 +111,9 @@ Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const KnowledgeComplement& complement, const Settings& settings,
                  const Rigid* guess, const OnIteration& on_iteration) {
   Evolution out;
-  Team::with(thread_count(settings), [&](Team& team) {
-    Engine engine(alpha, beta, complement, settings, team);
+  const int threads = thread_count(settings);  // asked once: inside the team it may differ
+  Team::with(threads, [&](Team& team) {
+    Engine engine(alpha, beta, complement, settings, static_cast<std::size_t>(threads), team);
     if (guess) engine.place(*guess);
     out = engine.run(on_iteration);
   });

@@ -2,6 +2,9 @@
 
 #include <pcl/kdtree/kdtree_flann.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "pcl_cloud.h"
 
 namespace emtr {
@@ -13,26 +16,44 @@ class KdTreeNeighbors final : public Neighbors {
     tree_.setInputCloud(to_pcl(cloud));
   }
 
-  void squared_distances(const PointsView& queries, float* out) const override {
-    std::vector<std::int32_t> index(queries.size);
-    nearest(queries, index.data(), out);
-  }
-
-  void nearest(const PointsView& q, std::int32_t* index, float* squared) const override {
+  void squared_distances(const PointsView& q, float* out) const override {
     pcl::Indices found(1);
     std::vector<float> distance(1);
     for (std::size_t i = 0; i < q.size; ++i) {
-      const float x = q.x[i], y = q.y[i], z = q.z[i];
-      tree_.nearestKSearch(pcl::PointXYZ(x, y, z), 1, found, distance);
-      const auto k = static_cast<std::size_t>(found[0]);
-      const float d = squared_distance(x - cloud_.x[k], y - cloud_.y[k], z - cloud_.z[k]);
-      const bool near = d < limit_;
-      squared[i] = near ? d : limit_;
-      index[i] = near ? found[0] : -1;
+      tree_.nearestKSearch(pcl::PointXYZ(q.x[i], q.y[i], q.z[i]), 1, found, distance);
+      out[i] = std::min(limit_, squared(q, i, found[0]));
+    }
+  }
+
+  /// Of several points at one distance the tree returns any; all that are as near, but for
+  /// rounding, are looked at again.
+  void nearest(const PointsView& q, std::int32_t* index, float* out) const override {
+    pcl::Indices found(1);
+    std::vector<float> distance(1);
+    for (std::size_t i = 0; i < q.size; ++i) {
+      const pcl::PointXYZ point(q.x[i], q.y[i], q.z[i]);
+      tree_.nearestKSearch(point, 1, found, distance);
+      out[i] = limit_;
+      index[i] = -1;
+      if (!(squared(q, i, found[0]) < limit_)) continue;
+      const double reach = std::sqrt(static_cast<double>(distance[0])) * (1 + 1e-5) + 1e-9;
+      tree_.radiusSearch(point, reach, found, distance);
+      for (const pcl::index_t k : found) {
+        const float d = squared(q, i, k);
+        if (d < out[i] || (d == out[i] && k < index[i])) {
+          out[i] = d;
+          index[i] = k;
+        }
+      }
     }
   }
 
  private:
+  float squared(const PointsView& q, std::size_t i, pcl::index_t candidate) const {
+    const auto k = static_cast<std::size_t>(candidate);
+    return squared_distance(q.x[i] - cloud_.x[k], q.y[i] - cloud_.y[k], q.z[i] - cloud_.z[k]);
+  }
+
   Cloud cloud_;
   float limit_;
   pcl::KdTreeFLANN<pcl::PointXYZ> tree_;

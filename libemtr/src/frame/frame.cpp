@@ -71,12 +71,12 @@ Extent center(Points& points, const std::string& name) {
     squared_radius = std::max(squared_radius, p.squaredNorm());
   }
   const double radius = std::sqrt(squared_radius);
+  if (!centroid.allFinite() || !std::isfinite(radius))
+    throw Error(EMTR_ERROR_CLOUD, name + " cloud: coordinates too large, expected below 1e150");
   // Rounding of large equal coordinates leaves a radius of a few units in their last place.
   if (!(radius > 1e-14 * centroid.cwiseAbs().maxCoeff()) || radius < 1e-150)
     throw Error(EMTR_ERROR_CLOUD,
                 name + " cloud: all points are equal, expected a radius above 1e-150");
-  if (!std::isfinite(radius))
-    throw Error(EMTR_ERROR_CLOUD, name + " cloud: coordinates too large, expected below 1e150");
 
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const auto& p : points) {

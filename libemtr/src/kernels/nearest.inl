@@ -48,7 +48,7 @@ EMTR_INLINE void cells_of(const GridView& g, const float* x, const float* y, con
     const Ints<kLanes> here =
         (where >= all<kLanes>(0.0f)) & (where < all<kLanes>(static_cast<float>(g.size[a])));
     inside = a == 0 ? here : inside & here;
-    at[a] = truncated(where);
+    at[a] = truncated(masked(where, here));
   }
   const Ints<kLanes> cell =
       (at[2] * all<kLanes>(g.size[1]) + at[1]) * all<kLanes>(g.size[0]) + at[0];

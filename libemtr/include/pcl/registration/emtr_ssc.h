@@ -126,7 +126,8 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
 
   [[nodiscard]] std::uint64_t getSeed() const { return settings_.seed; }
 
-  /** \brief Sets the number of threads; 0, the default, is one for each processor. */
+  /** \brief Sets the number of threads; 0, the default, is as many as OpenMP
+   * would use. */
   void setNumberOfThreads(unsigned int nr_threads = 0) {
     settings_.threads = static_cast<std::int32_t>(nr_threads);
   }
