@@ -68,7 +68,7 @@ emtr::Settings& checked(emtr_settings* settings) {
 }
 
 emtr::Settings settings_or_preset(const emtr_settings* settings) {
-  if (!settings) return emtr::preset("paper");
+  if (!settings) return emtr::preset("default");
   return checked(const_cast<emtr_settings*>(settings));
 }
 
@@ -166,11 +166,11 @@ emtr_status emtr_settings_init(emtr_settings* settings, size_t size, const char*
       throw emtr::Error(EMTR_ERROR_ARGUMENT, "size is " + std::to_string(size) + ", expected " +
                                                  std::to_string(sizeof(emtr_settings)) +
                                                  ": header and library are of different versions");
-    *settings = emtr::preset(preset ? preset : "paper");
+    *settings = emtr::preset(preset ? preset : "default");
   });
 }
 
-const char* emtr_preset_name(size_t index) { return index == 0 ? "paper" : nullptr; }
+const char* emtr_preset_name(size_t index) { return emtr::preset_name(index); }
 
 size_t emtr_setting_count(void) { return emtr::setting_count(); }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "error.h"
@@ -37,7 +38,7 @@ const std::vector<Setting>& table() {
       SETTING(threads, Integer, "threads", 0, 1024, 0, "",
               "threads to use, 0 for as many as OpenMP would; the result does not depend on it",
               ""),
-      SETTING(dense_points, Integer, "points", 100, 1e6, 4000, "sparse to dense",
+      SETTING(dense_points, Integer, "points", 100, 1e6, 9000, "sparse to dense",
               "points of both dense clouds together", ""),
       SETTING(sparse_points, Integer, "points", 10, 1e6, 600, "sparse to dense",
               "points of the sparse source cloud", ""),
@@ -47,8 +48,16 @@ const std::vector<Setting>& table() {
               "radius of the normals' neighbourhoods", ""),
       SETTING(feature_radius, Real, "dense leaves", 1, 50, 5, "features and matches",
               "radius of the FPFH neighbourhoods", ""),
-      SETTING(max_tims, Integer, "pairs", 3, 1e8, 100000, "features and matches",
+      SETTING(max_correspondences, Integer, "matches", 3, 20000, 5000, "features and matches",
+              "most matches kept, those with the nearest descriptors", ""),
+      SETTING(max_tims, Integer, "pairs", 3, 1e8, 5000, "features and matches",
               "most pairs of correspondences made into TIMs", ""),
+      SETTING(seeds, Integer, "poses", 0, 10000, 200, "seeds",
+              "most poses made of spatially consistent matches", ""),
+      SETTING(seed_threshold, Real, "dense leaves", 0.1, 100, 1.5, "seeds",
+              "how far consistent matches may disagree", ""),
+      SETTING(injected_seeds, Integer, "particles", 0, 100000, 10, "seeds",
+              "particles of both swarms that start at a seed", ""),
       SETTING(tau_factor, Real, "resolutions", 1e-3, 100, 0.5, "task beta",
               "tau over the mean resolution of the feature clouds", ""),
       SETTING(inlier_threshold, Real, "tau", 1e-3, 1e3, 5, "task beta",
@@ -59,11 +68,11 @@ const std::vector<Setting>& table() {
               "scale c of the M-estimator in the sparse stage", ""),
       SETTING(scale_dense, Real, "dense leaves", 0.1, 10, 1.2, "task alpha",
               "scale c of the M-estimator in the dense stage", ""),
-      SETTING(translation_bound, Real, "radii", 1e-3, 4, 0.5, "task alpha",
+      SETTING(translation_bound, Real, "radii", 1e-3, 4, 1.2, "task alpha",
               "half the side of the box searched for translations", ""),
       SETTING(population, Integer, "particles", 2, 100000, 50, "particle swarm",
               "particles of each of the two tasks", ""),
-      SETTING(iterations, Integer, "iterations", 1, 1000000, 100, "particle swarm",
+      SETTING(iterations, Integer, "iterations", 1, 1000000, 25, "particle swarm",
               "generations of the evolution (MaxIt)", ""),
       SETTING(inertia_start, Real, "", 0, 2, 0.9, "particle swarm", "inertia weight w at the start",
               ""),
@@ -101,15 +110,56 @@ const std::vector<Setting>& table() {
               "share of the iterations done on the sparse clouds (delta)", ""),
       SETTING(neighbors, Choice, "", 0, 2, 0, "", "structure behind the look-ups; same results",
               "grid,kdtree,brute"),
+      SETTING(candidates, Integer, "poses", 0, 10000, 30, "candidates",
+              "poses polished and ranked; 0: the swarm's best is the answer", ""),
+      SETTING(free_space, Switch, "", 0, 1, 1, "candidates",
+              "points in front of what the other scan saw count against a pose", ""),
+      SETTING(escalation, Choice, "", 0, 2, 1, "escalation",
+              "search again with more feature points and both signs of the normals",
+              "off,auto,always"),
+      SETTING(escalation_confidence, Real, "", 0, 1, 0.9, "escalation",
+              "escalate below this confidence", ""),
+      SETTING(escalation_points, Integer, "points", 100, 1e6, 32000, "escalation",
+              "points of both feature clouds together", ""),
+      SETTING(escalation_seeds, Integer, "poses", 1, 10000, 600, "escalation",
+              "most poses made of spatially consistent matches", ""),
+      SETTING(escalation_candidates, Integer, "poses", 1, 10000, 100, "escalation",
+              "poses polished and ranked", ""),
+      SETTING(refine, Switch, "", 0, 1, 1, "refinement",
+              "polish the answer on fine clouds", ""),
+      SETTING(refine_leaf, Real, "radii", 1e-3, 0.5, 0.01, "refinement",
+              "leaf of the fine clouds", ""),
       SETTING(maximum_fitness, Real, "", 0, 1, 0.7, "verdict",
               "registered only when the mean of rho over both dense clouds is at most this", ""),
       SETTING(minimum_mode_gap, Real, "", 0, 1, 0.05, "verdict",
               "registered only when the next best other pose is worse by this", ""),
+      SETTING(minimum_confidence, Real, "", 0, 1, 0.5, "verdict",
+              "registered only when the confidence is at least this", ""),
   };
   return rows;
 }
 
 #undef SETTING
+
+struct Preset {
+  const char* name;
+  std::vector<std::pair<const char*, double>> changes;  ///< against the table
+};
+
+const std::vector<Preset>& presets() {
+  static const std::vector<Preset> all = {
+      {"default", {}},
+      {"fast", {{"dense_points", 6000}, {"iterations", 12}, {"population", 30}, {"candidates", 12},
+                {"escalation", 0}}},
+      {"thorough", {{"escalation", 2}}},
+      // The method as published: the swarm alone, no seeds before it and no polish after it.
+      {"paper",
+       {{"dense_points", 4000}, {"max_tims", 100000}, {"seeds", 0},
+        {"injected_seeds", 0}, {"translation_bound", 0.5}, {"iterations", 100}, {"candidates", 0},
+        {"free_space", 0}, {"escalation", 0}, {"refine", 0}}},
+  };
+  return all;
+}
 
 void store(Settings& settings, const Setting& row, double value) {
   char* field = reinterpret_cast<char*>(&settings) + row.offset;
@@ -183,13 +233,23 @@ double get(const Settings& settings, const Setting& row) {
   return v;
 }
 
+const char* preset_name(std::size_t index) {
+  return index < presets().size() ? presets()[index].name : nullptr;
+}
+
 Settings preset(const std::string& name) {
-  if (name != "paper")
-    throw Error(EMTR_ERROR_SETTING, "there is no preset '" + name + "', expected paper");
-  Settings settings{};
-  settings.size = sizeof settings;
-  for (const Setting& row : table()) store(settings, row, row.info.value);
-  return settings;
+  std::string names;
+  for (const Preset& preset : presets()) {
+    if (name == preset.name) {
+      Settings settings{};
+      settings.size = sizeof settings;
+      for (const Setting& row : table()) store(settings, row, row.info.value);
+      for (const auto& [setting, value] : preset.changes) set(settings, setting, value);
+      return settings;
+    }
+    names += (names.empty() ? "" : ", ") + std::string(preset.name);
+  }
+  throw Error(EMTR_ERROR_SETTING, "there is no preset '" + name + "', expected one of " + names);
 }
 
 void validate(const Settings& settings) {

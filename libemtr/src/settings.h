@@ -23,6 +23,9 @@ const Setting& find_setting(const std::string& name);  ///< throws Error when un
 void set(Settings& settings, const std::string& name, double value);  ///< checks the range
 double get(const Settings& settings, const Setting& setting);
 
+/// Null past the last.
+const char* preset_name(std::size_t index);
+
 /// A preset's settings; throws Error when the name is unknown.
 Settings preset(const std::string& name);
 

@@ -75,7 +75,13 @@ typedef struct emtr_settings {
   /* features and matches */
   double normal_radius;  /* dense leaves */
   double feature_radius; /* dense leaves */
-  int32_t max_tims;      /* cap on pairs of correspondences */
+  int32_t max_correspondences; /* matches kept, those with the nearest descriptors */
+  int32_t max_tims;            /* cap on pairs of correspondences */
+
+  /* seeds: poses that spatially consistent matches agree on */
+  int32_t seeds;           /* 0: none */
+  double seed_threshold;   /* dense leaves */
+  int32_t injected_seeds;  /* of them, particles of both swarms that start there */
 
   /* task beta */
   double tau_factor;       /* tau / mean resolution of the feature clouds */
@@ -115,9 +121,25 @@ typedef struct emtr_settings {
   /* nearest neighbours of the fitness: 0 grid, 1 pcl kd-tree, 2 brute force; same bits */
   int32_t neighbors;
 
+  /* candidates: seeds and modes of the swarm, polished and ranked on the surfaces */
+  int32_t candidates; /* 0: the swarm's best is the answer */
+  int32_t free_space; /* 0: points in front of what the other scan saw cost nothing */
+
+  /* escalation: more feature points, both signs of the normals, more candidates */
+  int32_t escalation; /* 0 off, 1 when the confidence is below escalation_confidence, 2 always */
+  double escalation_confidence;
+  int32_t escalation_points; /* of both clouds together */
+  int32_t escalation_seeds;
+  int32_t escalation_candidates;
+
+  /* refinement of the answer on fine clouds */
+  int32_t refine;     /* 0: off */
+  double refine_leaf; /* normalised frame */
+
   /* verdict */
   double maximum_fitness;
   double minimum_mode_gap;
+  double minimum_confidence;
 
   /* a pose to try as one hypothesis among the particles (not a starting point that the
    * search stays near); row-major, source into target, the user's unit */
@@ -125,7 +147,8 @@ typedef struct emtr_settings {
   double guess[16];
 } emtr_settings;
 
-/* Fills *settings with a preset: "paper" (also for a null pointer). `size` is
+/* Fills *settings with a preset: "default" (also for a null pointer), "fast", "thorough" or
+ * "paper", which is the method as published. `size` is
  * sizeof(emtr_settings) as the caller was compiled. */
 EMTR_API emtr_status emtr_settings_init(emtr_settings* settings, size_t size, const char* preset);
 
@@ -145,7 +168,7 @@ typedef struct emtr_setting_info {
   const char* unit;    /* "" where it has none */
   double minimum;      /* inclusive */
   double maximum;      /* inclusive */
-  double value;        /* in preset "paper" */
+  double value;        /* in preset "default" */
   const char* part;    /* the part of the method that it belongs to, "" for none */
   const char* text;    /* one line */
   const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
@@ -270,7 +293,7 @@ typedef struct emtr_result {
 
 EMTR_API void emtr_result_free(emtr_result* result);
 
-/* Registers source to target. `settings` null: preset "paper". `progress` may be null.
+/* Registers source to target. `settings` null: preset "default". `progress` may be null.
  * On EMTR_OK *result is new and to be freed, whether registered or not; on an error it is
  * set to null and emtr_error_message() tells more. */
 EMTR_API emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,

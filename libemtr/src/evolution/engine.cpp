@@ -1,5 +1,6 @@
 #include "engine.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "../tasks/euler.h"
@@ -23,11 +24,13 @@ class Engine {
         scratch_(threads),
         stage_(settings.sparse_to_dense ? EMTR_STAGE_SPARSE : EMTR_STAGE_DENSE) {}
 
-  void place(const Rigid& guess) {
-    double particle[6];
-    encode(guess, particle);
-    poses_.place(0, particle);
-    rotations_.place(0, particle);
+  void place(const std::vector<Rigid>& starts) {
+    for (std::size_t i = 0; i < std::min(starts.size(), poses_.size()); ++i) {
+      double particle[6];
+      encode(starts[i], particle);
+      poses_.place(i, particle);
+      rotations_.place(i, particle);
+    }
   }
 
   Evolution run(const OnIteration& on_iteration) {
@@ -109,12 +112,12 @@ class Engine {
 
 Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const KnowledgeComplement& complement, const Settings& settings,
-                 const Rigid* guess, const OnIteration& on_iteration) {
+                 const std::vector<Rigid>& starts, const OnIteration& on_iteration) {
   Evolution out;
   const int threads = thread_count(settings);  // asked once: inside the team it may differ
   Team::with(threads, [&](Team& team) {
     Engine engine(alpha, beta, complement, settings, static_cast<std::size_t>(threads), team);
-    if (guess) engine.place(*guess);
+    engine.place(starts);
     out = engine.run(on_iteration);
   });
   return out;

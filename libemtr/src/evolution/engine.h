@@ -31,9 +31,9 @@ struct Evolution {
 using OnIteration = std::function<bool(int, double, double)>;
 
 /// Algorithm 1: both swarms evolve together, work spread over the particles of both tasks.
-/// `guess`: a pose that takes the first particle's place in both swarms, or null.
+/// `starts`: poses that take the first particles' places in both swarms, as many as there are.
 Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const KnowledgeComplement& complement, const Settings& settings,
-                 const Rigid* guess, const OnIteration& on_iteration);
+                 const std::vector<Rigid>& starts, const OnIteration& on_iteration);
 
 }  // namespace emtr

@@ -2,9 +2,10 @@
 #include "lanes.h"
 #include "nearest.inl"
 #include "sums.inl"
+#include "consistency.inl"
 
 namespace emtr {
 extern const Kernels k_avx2;
 const Kernels k_avx2 = {"avx2",        avx2::transform, avx2::squared_distances,
-                        avx2::nearest, avx2::rho_sum,   avx2::consensus};
+                        avx2::nearest, avx2::rho_sum,   avx2::consensus, avx2::consistent, avx2::count_common};
 }  // namespace emtr

@@ -55,6 +55,14 @@ struct Kernels {
   /// Inliers are those with |q - R p|^2 < squared_threshold; R row-major.
   Consensus (*consensus)(const PointsView& p, const PointsView& q, const float* R,
                          float squared_threshold);
+
+  /// bits of one row: bit j is set when | |p_j - p_i| - |q_j - q_i| | < threshold. The arrays have
+  /// room for a multiple of 64 points; bits past the last one mean nothing.
+  void (*consistent)(const PointsView& p, const PointsView& q, std::size_t i, float threshold,
+                     std::uint64_t* bits);
+
+  /// How many bits are set in both.
+  std::size_t (*count_common)(const std::uint64_t* a, const std::uint64_t* b, std::size_t words);
 };
 
 /// The fastest that this machine can run, or the one that the variable EMTR_KERNEL names:

@@ -19,7 +19,7 @@ emtr::Problem problem_with(const Settings& settings) {
 Evolution run(
     const emtr::Problem& p, const Settings& settings,
     const emtr::OnIteration& on_iteration = [](int, double, double) { return false; }) {
-  return emtr::evolve(*p.alpha, *p.beta, *p.complement, settings, nullptr, on_iteration);
+  return emtr::evolve(*p.alpha, *p.beta, *p.complement, settings, {}, on_iteration);
 }
 
 class Engine : public testing::Test {
@@ -123,7 +123,7 @@ TEST_F(Engine, AGuessIsOneHypothesis) {
   const emtr_test::Pair pair(11, 5000);
   truth = problem.frame.to_normalised(emtr::from_matrix(pair.pose()));
   const Evolution e = emtr::evolve(*problem.alpha, *problem.beta, *problem.complement, settings,
-                                   &truth, [](int, double, double) { return false; });
+                                   {truth}, [](int, double, double) { return false; });
   EXPECT_EQ(e.best, 0u);
   EXPECT_LT(emtr::rotation_distance(e.hypotheses[0].pose.R, truth.R), 1e-9);
 }

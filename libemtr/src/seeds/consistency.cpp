@@ -1,0 +1,44 @@
+#include "consistency.h"
+
+#include "../evolution/team.h"
+
+namespace emtr {
+namespace {
+
+Cloud gathered(const Cloud& cloud, const std::vector<Correspondence>& correspondences,
+               std::int32_t Correspondence::*side, std::size_t room) {
+  Cloud out;
+  out.resize(room);
+  for (std::size_t i = 0; i < correspondences.size(); ++i) {
+    const auto k = static_cast<std::size_t>(correspondences[i].*side);
+    out.x[i] = cloud.x[k];
+    out.y[i] = cloud.y[k];
+    out.z[i] = cloud.z[k];
+  }
+  return out;
+}
+
+}  // namespace
+
+Consistency::Consistency(const Cloud& source, const Cloud& target,
+                         const std::vector<Correspondence>& correspondences, double threshold,
+                         const Kernels& kernels, int threads)
+    : kernels_(kernels), n_(correspondences.size()), words_((n_ + 63) / 64) {
+  p_ = gathered(source, correspondences, &Correspondence::source, 64 * words_);
+  q_ = gathered(target, correspondences, &Correspondence::target, 64 * words_);
+  bits_.resize(n_ * words_);
+  degree_.resize(n_);
+  PointsView p = p_.view(), q = q_.view();
+  p.size = q.size = n_;
+  Team::with(threads, [&](Team& team) {
+    team.parallel(n_, [&](std::size_t i, std::size_t) {
+      std::uint64_t* bits = &bits_[i * words_];
+      kernels_.consistent(p, q, i, static_cast<float>(threshold), bits);
+      bits[i / 64] &= ~(std::uint64_t{1} << (i % 64));  // not with itself
+      if (n_ % 64) bits[words_ - 1] &= (std::uint64_t{1} << (n_ % 64)) - 1;
+      degree_[i] = kernels_.count_common(bits, bits, words_);
+    });
+  });
+}
+
+}  // namespace emtr

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../cloud.h"
+#include "../features/matching.h"
+
+namespace emtr {
+
+/// Which correspondences can hold together: a rigid motion keeps lengths, so two correct ones have
+/// | |p_j - p_i| - |q_j - q_i| | below the noise. One bit a pair.
+class Consistency {
+ public:
+  Consistency(const Cloud& source, const Cloud& target,
+              const std::vector<Correspondence>& correspondences, double threshold,
+              const Kernels& kernels, int threads);
+
+  std::size_t size() const { return n_; }
+  bool operator()(std::size_t i, std::size_t j) const {
+    return row(i)[j / 64] >> (j % 64) & 1;
+  }
+  /// With how many others correspondence i is consistent.
+  std::size_t degree(std::size_t i) const { return degree_[i]; }
+  /// Second order (SC2): how many are consistent with both.
+  std::size_t common(std::size_t i, std::size_t j) const {
+    return kernels_.count_common(row(i), row(j), words_);
+  }
+
+  const Cloud& p() const { return p_; }  ///< source points, one a correspondence, padded
+  const Cloud& q() const { return q_; }  ///< target points
+
+ private:
+  const std::uint64_t* row(std::size_t i) const { return &bits_[i * words_]; }
+
+  const Kernels& kernels_;
+  std::size_t n_, words_;
+  Cloud p_, q_;
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::size_t> degree_;
+};
+
+}  // namespace emtr
