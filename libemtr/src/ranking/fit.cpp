@@ -1,0 +1,129 @@
+#include "fit.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "../tasks/transform.h"
+
+namespace emtr {
+namespace {
+
+constexpr float kReach = 1.5f;      // leaves, to the nearest neighbour
+constexpr float kTolerance = 0.3f;  // leaves, off the tangent plane
+constexpr float kSameWay = 0.7f;    // of the dot product of both normals
+constexpr float kCell = 0.8f;       // leaves, of the candidate grid
+
+Cloud every(const Cloud& cloud, std::size_t step) {
+  Cloud out;
+  out.resize((cloud.size() + step - 1) / step);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out.x[i] = cloud.x[i * step];
+    out.y[i] = cloud.y[i * step];
+    out.z[i] = cloud.z[i * step];
+  }
+  return out;
+}
+
+}  // namespace
+
+Fit::Side Fit::make_side(const Surface& surface, const Kernels& kernels) {
+  const Cloud &p = surface.points, &n = surface.normals;
+  if (p.size() == 0 || n.size() != p.size())
+    throw std::invalid_argument("surface: expected points, and a normal for each");
+  Side side{&surface, {}, {}};
+  side.places.resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i)
+    side.places[i] = {{p.x[i], p.y[i], p.z[i]}, {n.x[i], n.y[i], n.z[i]}};
+  const auto leaf = static_cast<float>(surface.leaf);
+  side.neighbors = make_candidate_grid(p, kReach * leaf, kCell * leaf, kernels);
+  return side;
+}
+
+Fit::Fit(const Surface& source, const Surface& target, const Kernels& kernels)
+    : kernels_(kernels), leaf_(static_cast<float>(source.leaf)) {
+  if (!(source.leaf > 0) || source.leaf != target.leaf)
+    throw std::invalid_argument("surfaces: expected one positive leaf for both");
+  side_[0] = make_side(source, kernels);
+  side_[1] = make_side(target, kernels);
+}
+
+void Fit::prepare(std::size_t step) {
+  if (step == 0) throw std::invalid_argument("step: expected at least 1");
+  for (const Subset& subset : subsets_)
+    if (subset.step == step) return;
+  Subset subset{step, {}, {}};
+  for (int s = 0; s < 2; ++s) {
+    subset.points[s] = every(side_[s].surface->points, step);
+    subset.normals[s] = every(side_[s].surface->normals, step);
+  }
+  subsets_.push_back(std::move(subset));
+}
+
+Fit::Sums Fit::sums(const Cloud& points, const Cloud& normals, const Rigid& pose, const Side& to,
+                    Scratch& s) const {
+  const std::size_t n = points.size();
+  if (s.x.size() < n) {
+    for (auto* v : {&s.x, &s.y, &s.z, &s.nx, &s.ny, &s.nz, &s.squared}) v->resize(n);
+    s.index.resize(n);
+  }
+  Rigid turn = pose;
+  for (double& t : turn.t) t = 0;
+  transform(kernels_, points, pose, s.x.data(), s.y.data(), s.z.data());
+  transform(kernels_, normals, turn, s.nx.data(), s.ny.data(), s.nz.data());
+  to.neighbors->nearest({s.x.data(), s.y.data(), s.z.data(), n}, s.index.data(), s.squared.data());
+
+  const float unit = 1.0f / leaf_;
+  Sums sum;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (s.index[i] < 0) continue;
+    const Place& q = to.places[static_cast<std::size_t>(s.index[i])];
+    const float e =
+        ((q.n[0] * (s.x[i] - q.p[0]) + q.n[1] * (s.y[i] - q.p[1])) + q.n[2] * (s.z[i] - q.p[2])) *
+        unit;
+    const float dot = (s.nx[i] * q.n[0] + s.ny[i] * q.n[1]) + s.nz[i] * q.n[2];
+    // Without a normal both are NaN, and no inlier. No branches: which way they go is a toss-up.
+    const bool inlier = (std::abs(dot) > kSameWay) & (std::abs(e) < kTolerance);
+    const float off = e * (1.0f / kTolerance), w = 1.0f - off * off;
+    sum.weight += static_cast<double>(inlier ? w * w : 0.0f);
+    sum.sign += static_cast<double>(inlier ? dot : 0.0f);
+    sum.squared += static_cast<double>(inlier ? e * e : 0.0f);
+    sum.inliers += static_cast<double>(inlier ? 1.0f : 0.0f);
+  }
+  return sum;
+}
+
+FitValue Fit::value(const Cloud* const points[2], const Cloud* const normals[2], const Rigid& pose,
+                    Scratch& scratch) const {
+  const Sums a = sums(*points[0], *normals[0], pose, side_[1], scratch);
+  const Sums b = sums(*points[1], *normals[1], pose.inverse(), side_[0], scratch);
+  const auto n = static_cast<double>(points[0]->size()), m = static_cast<double>(points[1]->size());
+  FitValue out;
+  out.chf = (a.weight / n + b.weight / m) / 2;
+  out.inliers_source = a.inliers / n;
+  out.inliers_target = b.inliers / m;
+  const double inliers = a.inliers + b.inliers;
+  if (inliers > 0) {
+    out.sign = (a.sign + b.sign) / inliers;
+    out.rms = std::sqrt((a.squared + b.squared) / inliers);
+  }
+  return out;
+}
+
+FitValue Fit::evaluate(const Rigid& pose, Scratch& scratch) const {
+  const Cloud* const points[2] = {&side_[0].surface->points, &side_[1].surface->points};
+  const Cloud* const normals[2] = {&side_[0].surface->normals, &side_[1].surface->normals};
+  return value(points, normals, pose, scratch);
+}
+
+FitValue Fit::evaluate(const Rigid& pose, std::size_t step, Scratch& scratch) const {
+  if (step == 1) return evaluate(pose, scratch);
+  for (const Subset& subset : subsets_) {
+    if (subset.step != step) continue;
+    const Cloud* const points[2] = {&subset.points[0], &subset.points[1]};
+    const Cloud* const normals[2] = {&subset.normals[0], &subset.normals[1]};
+    return value(points, normals, pose, scratch);
+  }
+  throw std::invalid_argument("step: expected one that was prepared");
+}
+
+}  // namespace emtr
