@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "../tasks/euler.h"
+#include "../team.h"
 #include "knowledge_transfer.h"
-#include "team.h"
 
 namespace emtr {
 namespace {
