@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "error.h"
-#include "evolution/team.h"
 #include "problem.h"
 #include "problem_arrays.h"
 #include "result.h"
 #include "settings.h"
 #include "tasks/euler.h"
+#include "team.h"
 
 #define EMTR_TEXT_(x) #x
 #define EMTR_TEXT(x) EMTR_TEXT_(x)

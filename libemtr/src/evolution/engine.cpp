@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "../tasks/euler.h"
+#include "../team.h"
 #include "knowledge_transfer.h"
-#include "team.h"
 
 namespace emtr {
 namespace {

@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-#include "evolution/team.h"
+#include "team.h"
 
 namespace {
 

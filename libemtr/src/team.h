@@ -9,9 +9,9 @@
 
 namespace emtr {
 
-/// The threads of one OpenMP region that lasts for a whole evolution. Between two pieces of work
-/// the others sleep: two regions an iteration would have them spin, which on a machine with other
-/// work to do is slower than one thread alone.
+/// The threads of one OpenMP region that lasts for a whole stage of the work. Between two pieces of
+/// work the others sleep: two regions an iteration would have them spin, which on a machine with
+/// other work to do is slower than one thread alone.
 class Team {
  public:
   /// Runs body(team) on the calling thread, with up to `threads` threads to help it. Throws what
