@@ -7,8 +7,8 @@
 #include "error.h"
 #include "features/kdtree_neighbors.h"
 #include "features/resolution.h"
+#include "registration.h"
 #include "stopwatch.h"
-#include "verdict/verdict.h"
 
 namespace emtr {
 namespace {
@@ -20,11 +20,6 @@ std::unique_ptr<Neighbors> make_neighbors(int kind, const Cloud& cloud, float ra
   if (kind == KdTree) return make_kdtree(cloud, radius);
   if (kind == Brute) return make_brute_force(cloud, radius);
   return make_candidate_grid(cloud, radius, leaf, kernels);
-}
-
-bool report(const OnProgress& on_progress, const char* stage, int iteration = 0, int iterations = 0,
-            double alpha = 0, double beta = 0) {
-  return on_progress && on_progress({stage, iteration, iterations, alpha, beta});
 }
 
 }  // namespace
@@ -39,12 +34,11 @@ Problem::Problem(const emtr_cloud& source, const emtr_cloud& target, const Setti
 void Problem::prepare(const emtr_cloud& source, const emtr_cloud& target,
                       const OnProgress& on_progress) {
   Stopwatch watch;
-  const auto stop = [&](const char* stage) { return stopped_ = report(on_progress, stage); };
+  const auto stop = [&](const char* stage) { return stopped_ = on_progress && on_progress({stage, 0, 0, 0, 0}); };
 
   if (stop("frame")) return;
   watch.lap();
-  const NormalisedPair pair = normalise(source, target);
-  frame = pair.frame;
+  pair = normalise(source, target);
   dropped_source = pair.dropped_source;
   dropped_target = pair.dropped_target;
   points_source = pair.source.size();
@@ -70,17 +64,44 @@ void Problem::prepare(const emtr_cloud& source, const emtr_cloud& target,
   match_features();
   make_tasks();
   seconds_.matching = watch.lap();
+
+  if (settings.seeds == 0 && settings.candidates == 0) return;
+  if (stop("seeds")) return;
+  watch.lap();
+  find_seeds();
+  if (settings.candidates > 0)
+    ranking = std::make_unique<Ranking>(
+        surface(densities.source_dense, source_features, densities.leaf_dense),
+        surface(densities.target_dense, target_features, densities.leaf_dense), kernels);
+  seconds_.seeds = watch.lap();
 }
 
 void Problem::match_features() {
   correspondences = match(source_features, target_features,
-                          correspondence_cap(static_cast<std::size_t>(settings.max_tims)),
+                          static_cast<std::size_t>(settings.max_correspondences),
                           thread_count(settings));
   const double resolution =
       (mean_resolution(densities.source_dense) + mean_resolution(densities.target_dense)) / 2;
   tau = settings.tau_factor * resolution;
-  tims = form_tims(densities.source_dense, densities.target_dense, correspondences,
+  // The best of them are enough for the tasks; all of them look for seeds.
+  const std::size_t few = std::min(correspondences.size(),
+                                   correspondence_cap(static_cast<std::size_t>(settings.max_tims)));
+  const std::vector<Correspondence> best(correspondences.begin(),
+                                         correspondences.begin() + static_cast<std::ptrdiff_t>(few));
+  tims = form_tims(densities.source_dense, densities.target_dense, best,
                    TaskBeta::threshold(tau, settings));
+}
+
+void Problem::find_seeds() {
+  const double threshold = settings.seed_threshold * densities.leaf_dense;
+  const Consistency consistency(densities.source_dense, densities.target_dense, correspondences,
+                                threshold, kernels, thread_count(settings));
+  seeds = emtr::find_seeds(consistency, threshold, static_cast<std::size_t>(settings.seeds),
+                           thread_count(settings));
+}
+
+std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
+  return Registration(*this, on_progress).run();
 }
 
 void Problem::make_tasks() {
@@ -95,81 +116,6 @@ void Problem::make_tasks() {
                   static_cast<float>(std::max(1.5 * densities.leaf_sparse, reach / 5)));
   complement = std::make_unique<KnowledgeComplement>(
       densities.source_sparse, densities.target_sparse, std::move(far), settings, kernels);
-}
-
-std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
-  auto result = std::make_unique<Result>();
-  Result& r = *result;
-  r.seed = settings.seed;
-  r.threads = thread_count(settings);
-  r.kernel = kernels.name;
-  r.points_source = points_source;
-  r.points_target = points_target;
-  r.dropped_source = dropped_source;
-  r.dropped_target = dropped_target;
-  r.sparse_source = densities.source_sparse.size();
-  r.sparse_target = densities.target_sparse.size();
-  r.dense_source = densities.source_dense.size();
-  r.dense_target = densities.target_dense.size();
-  r.correspondences = correspondences.size();
-  r.tims = tims.formed();
-  r.tims_pruned = tims.pruned;
-  r.scale = frame.scale;
-  std::copy_n(frame.center_source, 3, r.center_source);
-  std::copy_n(frame.center_target, 3, r.center_target);
-  r.leaf_sparse = densities.leaf_sparse;
-  r.leaf_dense = densities.leaf_dense;
-  r.seconds_frame = seconds_.frame;
-  r.seconds_densities = seconds_.densities;
-  r.seconds_features = seconds_.features;
-  r.seconds_matching = seconds_.matching;
-
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  std::fill_n(r.transformation, 16, unknown);
-  r.reason = EMTR_REASON_INTERRUPTED;
-  r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.inlier_rmse = r.mode_gap = unknown;
-
-  Stopwatch watch;
-  if (!stopped_ && !report(on_progress, "evolution", 0, settings.iterations)) {
-    watch.lap();
-    Rigid guess;
-    if (settings.has_guess) guess = frame.to_normalised(from_matrix(settings.guess));
-    for (const double offset : guess.t)
-      if (!(std::abs(offset) <= 1e6))
-        throw Error(EMTR_ERROR_SETTING,
-                    "setting 'guess' moves the source a million radii past the target");
-    Evolution e = evolve(
-        *alpha, *beta, *complement, settings, settings.has_guess ? &guess : nullptr,
-        [&](int done, double best_alpha, double best_beta) {
-          return report(on_progress, "evolution", done, settings.iterations, best_alpha, best_beta);
-        });
-    r.seconds_evolution = watch.lap();
-
-    e.stopped |= report(on_progress, "verdict");
-    watch.lap();
-    const Verdict v = judge(e, *alpha, correspondences.size(), settings);
-    r.seconds_verdict = watch.lap();
-    r.registered = v.registered;
-    r.reason = v.reason;
-    r.fitness = v.fitness;
-    r.inlier_ratio_source = v.inlier_ratio_source;
-    r.inlier_ratio_target = v.inlier_ratio_target;
-    r.inlier_rmse = v.inlier_rmse * frame.scale;
-    r.mode_gap = v.mode_gap;
-
-    to_matrix(frame.to_user(e.hypotheses[e.best].pose), r.transformation);
-    r.lookups_evaluation = e.lookups_evaluation;
-    r.lookups_switch = e.lookups_switch;
-    r.lookups_complement = e.lookups_complement;
-    r.alpha = std::move(e.history_alpha);
-    r.beta = std::move(e.history_beta);
-  }
-  r.iterations = r.alpha.size();
-  r.history_alpha = r.alpha.data();
-  r.history_beta = r.beta.data();
-  r.seconds_total = r.seconds_frame + r.seconds_densities + r.seconds_features +
-                    r.seconds_matching + r.seconds_evolution + r.seconds_verdict;
-  return result;
 }
 
 }  // namespace emtr

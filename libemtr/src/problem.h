@@ -4,12 +4,14 @@
 #include <functional>
 #include <memory>
 
+#include "candidates/ranking.h"
 #include "evolution/engine.h"
 #include "features/fpfh.h"
 #include "features/matching.h"
 #include "features/tims.h"
 #include "frame/densities.h"
 #include "result.h"
+#include "seeds/seeds.h"
 #include "tasks/task_alpha.h"
 #include "tasks/task_beta.h"
 
@@ -35,25 +37,30 @@ class Problem {
   const Settings settings;
   const Kernels& kernels;  ///< the inner loops in use
   std::size_t dropped_source = 0, dropped_target = 0, points_source = 0, points_target = 0;
-  Frame frame;
+  NormalisedPair pair;
+  const Frame& frame = pair.frame;
   Densities densities;
   Features source_features, target_features;  ///< of the dense clouds
   std::vector<Correspondence> correspondences;
+  std::vector<Seed> seeds;
   double tau = 0;
   Tims tims;
   std::unique_ptr<TaskAlpha> alpha;
   std::unique_ptr<TaskBeta> beta;
   std::unique_ptr<KnowledgeComplement> complement;
+  std::unique_ptr<Ranking> ranking;  ///< null when the settings ask for no candidates
   std::atomic<std::uint64_t> lookups{0};  ///< of calls from outside, stage by stage
 
  private:
   void prepare(const emtr_cloud& source, const emtr_cloud& target, const OnProgress& on_progress);
   void match_features();
   void make_tasks();
+  void find_seeds();
 
+  friend class Registration;
   bool stopped_ = false;
   struct {
-    double frame = 0, densities = 0, features = 0, matching = 0;
+    double frame = 0, densities = 0, features = 0, matching = 0, seeds = 0;
   } seconds_;
 };
 

@@ -6,6 +6,7 @@ namespace emtr {
 
 void Team::with(int threads, const std::function<void(Team&)>& body) {
   Team team;
+  team.threads_ = static_cast<std::size_t>(threads);
   std::exception_ptr failure;
 #pragma omp parallel num_threads(threads)
   {

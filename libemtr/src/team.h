@@ -18,6 +18,9 @@ class Team {
   /// the body throws.
   static void with(int threads, const std::function<void(Team&)>& body);
 
+  /// At most this many threads; their numbers in a job are below it.
+  std::size_t size() const { return threads_; }
+
   /// Runs job(i, thread) once for each i < n, in any order, and returns when all are done. Throws
   /// what the first failing job threw.
   using Job = std::function<void(std::size_t i, std::size_t thread)>;
@@ -28,6 +31,7 @@ class Team {
   void work(std::size_t thread);
   void dismiss();
 
+  std::size_t threads_ = 1;
   std::mutex mutex_;
   std::condition_variable wake_, idle_;
   const Job* job_ = nullptr;

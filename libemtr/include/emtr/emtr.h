@@ -202,7 +202,8 @@ typedef struct emtr_cloud {
 /* ---- progress ----------------------------------------------------------------------- */
 
 typedef struct emtr_progress {
-  const char* stage;  /* "frame", "densities", "features", "matching", "evolution", "verdict" */
+  const char* stage;  /* "frame", "densities", "features", "matching", "seeds", "evolution",
+                         "candidates", "escalation", "refinement", "verdict" */
   int32_t iteration;  /* done, in "evolution"; else 0 */
   int32_t iterations; /* in all */
   double best_alpha;  /* fitness of gbest of task alpha, lower is better */
@@ -227,6 +228,12 @@ typedef enum emtr_reason {
 
 /* What a reason means, in a few words. Never null. */
 EMTR_API const char* emtr_reason_text(emtr_reason reason);
+
+/* Another pose that the clouds could be in. */
+typedef struct emtr_alternative {
+  double transformation[16]; /* as in the result */
+  double score;              /* as in the result, never more than the answer's */
+} emtr_alternative;
 
 /* Owned by the library, freed by emtr_result_free(). Later versions append fields. */
 typedef struct emtr_result {
@@ -289,6 +296,29 @@ typedef struct emtr_result {
   uint64_t seed;
   int32_t threads;    /* asked for; OpenMP may have given fewer */
   const char* kernel; /* what emtr_kernel_name() gave */
+
+  /* the answer's standing among the candidates */
+  double confidence;  /* held probability that the pose is right: within 5 degrees and 0.06 radii */
+  double score;       /* fit - 2 violation, at most 1; NaN without candidates, as the two below */
+  double fit;         /* how well the surfaces lie on each other, 0 to 1 (best) */
+  double violation;   /* share of points in front of what the other scan saw */
+  double score_gap;   /* score minus that of the best clearly different candidate */
+  size_t seeds;       /* poses that consistent matches gave, at all feature densities */
+  size_t candidates;  /* distinct poses ranked */
+  int32_t escalated;  /* 1: searched again with more feature points */
+  int32_t refined;    /* 1: polished on fine clouds */
+  size_t alternative_count; /* clearly different poses, best first, at most 10 */
+  const emtr_alternative* alternatives;
+
+  /* of a refined pose: the inverse of its covariance for a small rotation w (radians) and shift v
+   * (user's unit), order (w, v), row-major: q = exp(w) (R p + t - c) + c + v, c center_target.
+   * NaN when it was not refined */
+  double information[36];
+
+  double seconds_seeds;
+  double seconds_candidates;
+  double seconds_escalation;
+  double seconds_refinement;
 } emtr_result;
 
 EMTR_API void emtr_result_free(emtr_result* result);

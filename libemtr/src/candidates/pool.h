@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "../evolution/team.h"
+#include "../team.h"
 #include "../ranking/fit.h"
 #include "../refinement/local_polish.h"
 #include "../rigid.h"

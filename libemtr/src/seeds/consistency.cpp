@@ -1,6 +1,6 @@
 #include "consistency.h"
 
-#include "../evolution/team.h"
+#include "../team.h"
 
 namespace emtr {
 namespace {

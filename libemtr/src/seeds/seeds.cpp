@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "../evolution/team.h"
+#include "../team.h"
 #include "procrustes.h"
 
 namespace emtr {
 namespace {
 
-constexpr std::size_t kSubset = 30;  // correspondences that speak for a seed
+constexpr std::size_t kSubset = 12;  // correspondences that speak for a seed
 constexpr int kRefits = 2;
 
 struct Point {

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "../candidates/modes.h"
+
 namespace emtr {
 namespace {
 
-// Two poses are different modes when they differ by more than this.
-constexpr double kModeAngle = 10 * 3.14159265358979323846 / 180;
-constexpr double kModeOffset = 0.15;  // of the source's centroid, radii
 constexpr std::size_t kFewMatches = 10;
 
 struct Inliers {
@@ -29,19 +28,13 @@ Inliers inliers(const std::vector<float>& squared, double scale) {
   return out;
 }
 
-bool different(const Rigid& a, const Rigid& b) {
-  const double offset = std::hypot(a.t[0] - b.t[0], a.t[1] - b.t[1], a.t[2] - b.t[2]);
-  return rotation_distance(a.R, b.R) > kModeAngle || offset > kModeOffset;
-}
-
 /// Mean dense fitness of the best pose that is a mode of its own; 1, the worst there is, when the
 /// swarm remembers no other.
-double other_mode(const Evolution& evolution, const TaskAlpha& alpha) {
-  const Rigid& best = evolution.hypotheses[evolution.best].pose;
+double other_mode(const Evolution& evolution, const Rigid& best, const TaskAlpha& alpha) {
   TaskAlpha::Scratch scratch;
   double other = alpha.worst(EMTR_STAGE_DENSE);
   for (const Hypothesis& h : evolution.hypotheses) {
-    if (!different(h.pose, best)) continue;
+    if (within(h.pose, best, kMode)) continue;
     const bool known = evolution.stage == EMTR_STAGE_DENSE;
     other = std::min(other, known ? h.fitness : alpha.evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
   }
@@ -50,9 +43,8 @@ double other_mode(const Evolution& evolution, const TaskAlpha& alpha) {
 
 }  // namespace
 
-Verdict judge(const Evolution& evolution, const TaskAlpha& alpha, std::size_t correspondences,
+Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& alpha, std::size_t correspondences,
               const Settings& settings) {
-  const Rigid& pose = evolution.hypotheses[evolution.best].pose;
   const double c = alpha.scale(EMTR_STAGE_DENSE);
   const TaskAlpha::Residuals source = alpha.residuals_source(pose);
   const TaskAlpha::Residuals target = alpha.residuals_target(pose);
@@ -65,7 +57,7 @@ Verdict judge(const Evolution& evolution, const TaskAlpha& alpha, std::size_t co
   v.inlier_rmse = from_source.count
                       ? std::sqrt(from_source.squared_sum / static_cast<double>(from_source.count))
                       : std::numeric_limits<double>::quiet_NaN();
-  v.mode_gap = other_mode(evolution, alpha) - v.fitness;
+  v.mode_gap = other_mode(evolution, pose, alpha) - v.fitness;
 
   if (evolution.stopped)
     v.reason = EMTR_REASON_INTERRUPTED;

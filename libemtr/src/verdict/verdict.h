@@ -15,8 +15,8 @@ struct Verdict {
   double mode_gap = 0;     ///< mean fitness of the best clearly different pose, minus fitness
 };
 
-/// Judges the evolution's best pose. `correspondences`: how many matches task beta had.
-Verdict judge(const Evolution& evolution, const TaskAlpha& alpha, std::size_t correspondences,
+/// Judges a pose, the evolution's best or one made from it. `correspondences`: how many matches task beta had.
+Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& alpha, std::size_t correspondences,
               const Settings& settings);
 
 }  // namespace emtr

@@ -1,0 +1,183 @@
+#include "registration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "error.h"
+#include "stopwatch.h"
+#include "verdict/verdict.h"
+
+namespace emtr {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFarthest = 1e6;  // radii; beyond, floats of the clouds have no digits left
+
+}  // namespace
+
+Registration::Registration(const Problem& problem, const OnProgress& on_progress)
+    : problem_(problem),
+      settings_(problem.settings),
+      on_progress_(on_progress),
+      result_(std::make_unique<Result>()),
+      stopped_(problem.stopped()) {}
+
+std::unique_ptr<Result> Registration::run() {
+  Stopwatch watch;
+  Result& r = *result_;
+  describe_problem();
+  if (!stopped_ && !stop("evolution")) {
+    watch.lap();
+    Evolution evolution = evolve();
+    r.seconds_evolution = watch.lap();
+    stopped_ |= evolution.stopped;
+    answer_ = evolution.hypotheses[evolution.best].pose;
+    if (pool_) {
+      if (!stopped_ && !stop("candidates")) rank(evolution);
+      r.seconds_candidates = watch.lap();
+    }
+    stopped_ = stopped_ || stop("verdict");
+    watch.lap();
+    evolution.stopped = stopped_;
+    conclude(evolution);
+    r.seconds_verdict = watch.lap();
+  }
+  r.iterations = r.alpha.size();
+  r.history_alpha = r.alpha.data();
+  r.history_beta = r.beta.data();
+  r.alternatives = r.others.data();
+  r.alternative_count = r.others.size();
+  r.seconds_total = r.seconds_frame + r.seconds_densities + r.seconds_features +
+                    r.seconds_matching + r.seconds_seeds + r.seconds_evolution +
+                    r.seconds_candidates + r.seconds_escalation + r.seconds_refinement +
+                    r.seconds_verdict;
+  return std::move(result_);
+}
+
+bool Registration::stop(const char* stage) {
+  return stopped_ = on_progress_ && on_progress_({stage, 0, settings_.iterations, 0, 0});
+}
+
+void Registration::describe_problem() {
+  Result& r = *result_;
+  const Densities& d = problem_.densities;
+  r.seed = settings_.seed;
+  r.threads = thread_count(settings_);
+  r.kernel = problem_.kernels.name;
+  r.points_source = problem_.points_source;
+  r.points_target = problem_.points_target;
+  r.dropped_source = problem_.dropped_source;
+  r.dropped_target = problem_.dropped_target;
+  r.sparse_source = d.source_sparse.size();
+  r.sparse_target = d.target_sparse.size();
+  r.dense_source = d.source_dense.size();
+  r.dense_target = d.target_dense.size();
+  r.correspondences = problem_.correspondences.size();
+  r.tims = problem_.tims.formed();
+  r.tims_pruned = problem_.tims.pruned;
+  r.seeds = problem_.seeds.size();
+  r.scale = problem_.frame.scale;
+  std::copy_n(problem_.frame.center_source, 3, r.center_source);
+  std::copy_n(problem_.frame.center_target, 3, r.center_target);
+  r.leaf_sparse = d.leaf_sparse;
+  r.leaf_dense = d.leaf_dense;
+  r.seconds_frame = problem_.seconds_.frame;
+  r.seconds_densities = problem_.seconds_.densities;
+  r.seconds_features = problem_.seconds_.features;
+  r.seconds_matching = problem_.seconds_.matching;
+  r.seconds_seeds = problem_.seconds_.seeds;
+
+  std::fill_n(r.transformation, 16, kUnknown);
+  std::fill_n(r.information, 36, kUnknown);
+  r.reason = EMTR_REASON_INTERRUPTED;
+  r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.inlier_rmse = r.mode_gap = kUnknown;
+  r.score = r.fit = r.violation = r.score_gap = kUnknown;
+}
+
+std::vector<Rigid> Registration::starts() {
+  std::vector<Rigid> out;
+  if (settings_.has_guess) {
+    out.push_back(problem_.frame.to_normalised(from_matrix(settings_.guess)));
+    for (const double offset : out[0].t)
+      if (!(std::abs(offset) <= kFarthest))
+        throw Error(EMTR_ERROR_SETTING,
+                    "setting 'guess' moves the source a million radii past the target");
+  }
+  // At least half of the swarm stays where chance put it.
+  const std::size_t most = static_cast<std::size_t>(
+      std::min(settings_.injected_seeds, settings_.population / 2));
+  const std::size_t n = std::min(most, shortlist_.size());
+  out.insert(out.end(), shortlist_.begin(), shortlist_.begin() + static_cast<std::ptrdiff_t>(n));
+  return out;
+}
+
+Evolution Registration::evolve() {
+  if (const Ranking* ranking = problem_.ranking.get()) {
+    pool_ = std::make_unique<Pool>(ranking->fit(), Ranking::kQuickStep, ranking->polish(), nullptr);
+    std::vector<Rigid> poses;
+    for (const Seed& seed : problem_.seeds) poses.push_back(seed.pose);
+    Team::with(thread_count(settings_), [&](Team& team) {
+      shortlist_ = pool_->shortlist(poses, static_cast<std::size_t>(settings_.candidates), team);
+    });
+  } else {
+    for (const Seed& seed : problem_.seeds) shortlist_.push_back(seed.pose);
+  }
+  Evolution out = emtr::evolve(
+      *problem_.alpha, *problem_.beta, *problem_.complement, settings_, starts(),
+      [&](int done, double alpha, double beta) {
+        return on_progress_ &&
+               on_progress_({"evolution", done, settings_.iterations, alpha, beta});
+      });
+  result_->lookups_evaluation = out.lookups_evaluation;
+  result_->lookups_switch = out.lookups_switch;
+  result_->lookups_complement = out.lookups_complement;
+  return out;
+}
+
+void Registration::rank(const Evolution& evolution) {
+  std::vector<Rigid> poses = shortlist_, remembered;
+  for (const Hypothesis& h : evolution.hypotheses) remembered.push_back(h.pose);
+  if (settings_.has_guess)
+    poses.push_back(problem_.frame.to_normalised(from_matrix(settings_.guess)));
+  Team::with(thread_count(settings_), [&](Team& team) {
+    const auto modes =
+        pool_->shortlist(remembered, static_cast<std::size_t>(settings_.candidates), team);
+    poses.insert(poses.end(), modes.begin(), modes.end());
+    pool_->add(poses, team);
+  });
+  answer_ = pool_->ranked().front().pose;
+  standing_ = stand(pool_->ranked());
+}
+
+void Registration::conclude(const Evolution& evolution) {
+  Result& r = *result_;
+  const Verdict v = judge(evolution, answer_, *problem_.alpha, problem_.correspondences.size(),
+                          settings_);
+  r.registered = v.registered;
+  r.reason = v.reason;
+  r.fitness = v.fitness;
+  r.inlier_ratio_source = v.inlier_ratio_source;
+  r.inlier_ratio_target = v.inlier_ratio_target;
+  r.inlier_rmse = v.inlier_rmse * problem_.frame.scale;
+  r.mode_gap = v.mode_gap;
+  to_matrix(problem_.frame.to_user(answer_), r.transformation);
+  r.alpha = evolution.history_alpha;
+  r.beta = evolution.history_beta;
+
+  if (!pool_ || pool_->ranked().empty()) return;
+  const Candidate& best = pool_->ranked().front();
+  r.candidates = pool_->ranked().size();
+  r.score = best.score;
+  r.fit = best.fit.chf;
+  r.violation = best.violation;
+  r.score_gap = standing_.gap;
+  r.confidence = standing_.confidence;
+  for (const Candidate& other : standing_.others) {
+    r.others.emplace_back();
+    to_matrix(problem_.frame.to_user(other.pose), r.others.back().transformation);
+    r.others.back().score = other.score;
+  }
+}
+
+}  // namespace emtr
