@@ -1,5 +1,3 @@
-#include "fpfh.h"
-
 #include <pcl/features/fpfh_omp.h>
 #include <pcl/features/normal_3d_omp.h>
 #include <pcl/search/kdtree.h>
@@ -8,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "fpfh_backends.h"
 #include "pcl_cloud.h"
 
 namespace emtr {
@@ -18,13 +17,15 @@ using Normals = pcl::PointCloud<pcl::Normal>;
 using Tree = pcl::search::KdTree<pcl::PointXYZ>;
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
-Normals::Ptr estimate_normals(const Points::Ptr& points, double radius, int threads) {
+Normals::Ptr estimate_normals(const Points::Ptr& points, const FeatureDefinition& definition,
+                              int threads) {
   pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(
       static_cast<unsigned int>(threads));
   estimation.setInputCloud(points);
   estimation.setSearchMethod(pcl::make_shared<Tree>());
-  estimation.setRadiusSearch(radius);
-  estimation.setViewPoint(0, 0, 0);
+  estimation.setRadiusSearch(definition.normal_radius);
+  const auto& [x, y, z] = definition.viewpoint;
+  estimation.setViewPoint(x, y, z);
   auto normals = pcl::make_shared<Normals>();
   estimation.compute(*normals);
   return normals;
@@ -32,10 +33,10 @@ Normals::Ptr estimate_normals(const Points::Ptr& points, double radius, int thre
 
 }  // namespace
 
-Features describe(const Cloud& cloud, double normal_radius, double feature_radius, int threads) {
+Features describe_by_pcl(const Cloud& cloud, const FeatureDefinition& definition, int threads) {
   const std::size_t n = cloud.size();
   const auto points = to_pcl(cloud);
-  const auto normals = estimate_normals(points, normal_radius, threads);
+  const auto normals = estimate_normals(points, definition, threads);
 
   // FPFH must not meet a NaN, so it sees only the points that have a normal.
   auto kept_points = pcl::make_shared<Points>();
@@ -57,7 +58,7 @@ Features describe(const Cloud& cloud, double normal_radius, double feature_radiu
   estimation.setInputCloud(kept_points);
   estimation.setInputNormals(kept_normals);
   estimation.setSearchMethod(pcl::make_shared<Tree>());
-  estimation.setRadiusSearch(feature_radius);
+  estimation.setRadiusSearch(definition.feature_radius);
   pcl::PointCloud<pcl::FPFHSignature33> signatures;
   estimation.compute(signatures);
 
