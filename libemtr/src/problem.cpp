@@ -52,11 +52,12 @@ void Problem::prepare(const emtr_cloud& source, const emtr_cloud& target,
 
   if (stop("features")) return;
   watch.lap();
-  const double normal_radius = settings.normal_radius * densities.leaf_dense;
-  const double feature_radius = settings.feature_radius * densities.leaf_dense;
+  FeatureDefinition definition;
+  definition.normal_radius = settings.normal_radius * densities.leaf_dense;
+  definition.feature_radius = settings.feature_radius * densities.leaf_dense;
   const int threads = thread_count(settings);
-  source_features = describe(densities.source_dense, normal_radius, feature_radius, threads);
-  target_features = describe(densities.target_dense, normal_radius, feature_radius, threads);
+  source_features = describe(densities.source_dense, definition, kernels, threads);
+  target_features = describe(densities.target_dense, definition, kernels, threads);
   seconds_.features = watch.lap();
 
   if (stop("matching")) return;
@@ -78,7 +79,7 @@ void Problem::prepare(const emtr_cloud& source, const emtr_cloud& target,
 
 void Problem::match_features() {
   correspondences = match(source_features, target_features,
-                          static_cast<std::size_t>(settings.max_correspondences),
+                          static_cast<std::size_t>(settings.max_correspondences), kernels,
                           thread_count(settings));
   const double resolution =
       (mean_resolution(densities.source_dense) + mean_resolution(densities.target_dense)) / 2;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -21,8 +22,27 @@ struct Features {
   }
 };
 
-/// pcl::NormalEstimationOMP, oriented to the centroid (the origin of the normalised frame), and
-/// pcl::FPFHEstimationOMP. Radii in the normalised frame.
-Features describe(const Cloud& cloud, double normal_radius, double feature_radius, int threads);
+/// Who computes the features; one definition.
+enum class FeatureBackend {
+  Pcl = 0,  ///< PCL's functions
+  Simd = 1  ///< the kernels: an entry of a histogram may lie on the other side of a bin's edge
+};
+
+/// Lengths in the normalised frame.
+struct FeatureDefinition {
+  double normal_radius, feature_radius;        ///< the second at least as large as the first
+  std::array<float, 3> viewpoint = {0, 0, 0};  ///< normals point to it; the centroid by default
+  FeatureBackend backend = FeatureBackend::Pcl;
+};
+
+/// Normals as of pcl::NormalEstimationOMP and descriptors as of pcl::FPFHEstimationOMP, the latter
+/// over the points that have a normal. The cloud is finite. The result does not depend on the
+/// kernels or the threads.
+Features describe(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
+                  int threads);
+
+/// The features with all normals turned around: of the three histograms the first and the last
+/// are reversed, the second stays.
+Features mirrored(const Features& features);
 
 }  // namespace emtr

@@ -12,9 +12,16 @@ struct Correspondence {
   std::int32_t source, target;
 };
 
-/// Mutual nearest neighbours in FPFH space, no ratio test; the `most` with the smallest distance
-/// between descriptors, in that order.
-std::vector<Correspondence> match(const Features& source, const Features& target, std::size_t most,
-                                  int threads);
+/// Pairs of which each point is among the k nearest of the other in FPFH space (k = 1: mutual
+/// nearest neighbours), no ratio test; of points at one distance the smallest row is the nearer.
+/// The `most` pairs with the smallest distance between descriptors, in that order.
+std::vector<Correspondence> match_mutual(const Features& source, const Features& target, int k,
+                                         std::size_t most, const Kernels& kernels, int threads);
+
+/// Mutual nearest neighbours.
+inline std::vector<Correspondence> match(const Features& source, const Features& target,
+                                         std::size_t most, const Kernels& kernels, int threads) {
+  return match_mutual(source, target, 1, most, kernels, threads);
+}
 
 }  // namespace emtr

@@ -1,11 +1,7 @@
 #define EMTR_KERNEL avx2
-#include "lanes.h"
-#include "nearest.inl"
-#include "sums.inl"
-#include "consistency.inl"
+#include "all.inl"
 
 namespace emtr {
 extern const Kernels k_avx2;
-const Kernels k_avx2 = {"avx2",        avx2::transform, avx2::squared_distances,
-                        avx2::nearest, avx2::rho_sum,   avx2::consensus, avx2::consistent, avx2::count_common};
+constexpr Kernels k_avx2 = avx2::all("avx2");
 }  // namespace emtr

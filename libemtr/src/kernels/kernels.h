@@ -27,6 +27,41 @@ struct PointsView {
   std::size_t size;
 };
 
+/// Points with their normals, or one of them.
+struct SurfaceView {
+  PointsView points;
+  const float *nx, *ny, *nz;
+};
+struct SurfacePoint {
+  float x, y, z, nx, ny, nz;
+};
+
+/// Lists of neighbours for the descriptors are padded to a multiple of this with points so far
+/// away that they are nobody's neighbour.
+constexpr std::size_t kListStep = 16;
+constexpr float kFarAway = 1e18f;
+
+constexpr std::size_t kMoments = 10;  ///< count, x, y, z, xx, xy, xz, yy, yz, zz
+constexpr std::size_t kBins = 11;     ///< of each of a descriptor's three histograms
+constexpr std::size_t kDescriptor = 3 * kBins;
+constexpr std::size_t kDescriptorRow = 36;    ///< floats from one histogram to the next, zeros last
+constexpr std::size_t kDescriptorBlock = 32;  ///< descriptors side by side in a DescriptorBlocks
+
+/// Descriptors in blocks of kDescriptorBlock: [block][number of the descriptor][descriptor of the
+/// block], NaN after the last.
+struct DescriptorBlocks {
+  const float* values;
+  std::size_t blocks;
+};
+
+/// The k nearest of each of some items, nearest first: the j-th of item i stands at [j * stride +
+/// i]. Infinity and -1 where there are fewer.
+struct NearestLists {
+  float* squared;
+  std::int32_t* index;
+  std::size_t stride, k;
+};
+
 /// Of TIMs under a rotation.
 struct Consensus {
   double inliers, residuals;  ///< how many, and the sum of their |q - R p|
@@ -63,6 +98,36 @@ struct Kernels {
 
   /// How many bits are set in both.
   std::size_t (*count_common)(const std::uint64_t* a, const std::uint64_t* b, std::size_t words);
+
+  /// Sums over the points nearer than the radius, relative to the query; sum m at out[m * stride].
+  void (*moments)(const PointsView& list, const float* query, float squared_radius, float* out,
+                  std::size_t stride);
+
+  /// The direction of least spread of each of points.size neighbourhoods, turned towards the
+  /// viewpoint; NaN of fewer than three points or where no direction is the least.
+  void (*least_directions)(const float* moments, std::size_t stride, const PointsView& points,
+                           const float* viewpoint, float* nx, float* ny, float* nz);
+
+  /// The simplified point feature histogram of the query among its neighbours: kDescriptorRow
+  /// floats.
+  void (*pair_histograms)(const SurfaceView& list, const SurfacePoint& query, float squared_radius,
+                          float* out);
+
+  /// The sum of the neighbours' histograms over squared distance, each of the three scaled to 100:
+  /// kDescriptor floats. The histogram of list[i] is row rows[i].
+  void (*weighted_histograms)(const PointsView& list, const std::uint32_t* rows, const float* query,
+                              float squared_radius, const float* histograms, float* out);
+
+  /// The squared distance to the nearest of the list.
+  float (*least_squared)(const PointsView& list, const float* query);
+
+  /// Compares `count` descriptors, packed, with all of the blocks and enters each pair in both
+  /// lists, that of the rows and that of the columns. Row r is known to the columns as
+  /// first_row + r; call with growing first_row, so that of equal distances the smaller index
+  /// stays.
+  void (*nearest_descriptors)(const float* rows, std::size_t count, std::int32_t first_row,
+                              const DescriptorBlocks& columns, const NearestLists& of_rows,
+                              const NearestLists& of_columns);
 };
 
 /// The fastest that this machine can run, or the one that the variable EMTR_KERNEL names:

@@ -76,6 +76,7 @@ constexpr bool one_register() {
 EMTR_BINARY(Floats, Floats, Floats, operator+, a.v + b.v)
 EMTR_BINARY(Floats, Floats, Floats, operator-, a.v - b.v)
 EMTR_BINARY(Floats, Floats, Floats, operator*, a.v* b.v)
+EMTR_BINARY(Floats, Floats, Floats, operator/, a.v / b.v)
 EMTR_BINARY(Ints, Floats, Floats, operator<, a.v < b.v)
 EMTR_BINARY(Ints, Floats, Floats, operator>=, a.v >= b.v)
 EMTR_BINARY(Ints, Ints, Ints, operator+, a.v + b.v)
@@ -84,6 +85,13 @@ EMTR_BINARY(Ints, Ints, Ints, operator*, a.v* b.v)
 EMTR_BINARY(Ints, Ints, Ints, operator&, a.v& b.v)
 EMTR_BINARY(Ints, Ints, Ints, operator|, a.v | b.v)
 EMTR_UNARY(Ints, Ints, operator~, ~a.v)
+EMTR_UNARY(Ints, Ints, byte_up, a.v << 8)
+EMTR_UNARY(Floats, Floats, magnitude,
+           (typename Register<N>::Float)((typename Register<N>::Int)a.v & 0x7fffffff))
+// The sign bit alone, and `a` with its sign turned where that bit of b is set.
+EMTR_UNARY(Ints, Floats, sign_of, (typename Register<N>::Int)a.v&(-0x7fffffff - 1))
+EMTR_BINARY(Floats, Floats, Ints, turned,
+            (typename Register<N>::Float)((typename Register<N>::Int)a.v ^ b.v))
 EMTR_BINARY(Floats, Floats, Floats, least, b.v < a.v ? b.v : a.v)
 // Towards zero.
 EMTR_UNARY(Ints, Floats, truncated, __builtin_convertvector(a.v, typename Register<N>::Int))
@@ -93,6 +101,15 @@ EMTR_BINARY(Floats, Floats, Ints, masked,
 
 #undef EMTR_BINARY
 #undef EMTR_UNARY
+
+/// `a` where the mask is set, else `b`.
+template <std::size_t N>
+EMTR_INLINE Floats<N> chosen(const Ints<N>& mask, const Floats<N>& a, const Floats<N>& b) {
+  if constexpr (one_register<N>())
+    return {mask.v ? a.v : b.v};
+  else
+    return {chosen(mask.low, a.low, b.low), chosen(mask.high, a.high, b.high)};
+}
 
 /// A number in every lane.
 template <std::size_t N>
@@ -142,6 +159,44 @@ EMTR_INLINE Floats<N> root(const Floats<N>& a) {
   } else {
     return {root(a.low), root(a.high)};
   }
+}
+
+/// Whether the mask is set in any lane.
+template <std::size_t N>
+EMTR_INLINE bool any(const Ints<N>& mask) {
+  if constexpr (one_register<N>()) {
+#if defined(__AVX512DQ__)
+    if constexpr (N == 16) return __builtin_ia32_cvtd2mask512(mask.v) != 0;
+#endif
+#if defined(__AVX2__)
+    if constexpr (N == 8) return __builtin_ia32_movmskps256((typename Register<N>::Float)mask.v) != 0;
+#endif
+#if defined(__SSE2__)
+    if constexpr (N == 4) return __builtin_ia32_movmskps((typename Register<N>::Float)mask.v) != 0;
+#endif
+    std::int32_t set = 0;
+    for (std::size_t l = 0; l < N; ++l) set |= mask.v[l];
+    return set != 0;
+  } else {
+    return any(mask.low | mask.high);
+  }
+}
+
+/// The sum of eight, always in this order: (((0 + 4) + (2 + 6)) + ((1 + 5) + (3 + 7))).
+EMTR_INLINE float sum_of(const Floats<8>& a) {
+#if EMTR_REGISTER >= 8
+  auto v = a.v, w = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
+  v = v + w;
+  w = __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
+  v = v + w;
+  w = __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
+#else
+  auto v = a.low.v + a.high.v, w = __builtin_shufflevector(v, v, 2, 3, 0, 1);
+  v = v + w;
+  w = __builtin_shufflevector(v, v, 1, 0, 3, 2);
+#endif
+  v = v + w;
+  return v[0];
 }
 
 /// The least of eight.

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_types.h>
 
 #include <algorithm>
 #include <random>
+#include <tuple>
 
 #include "features/matching.h"
+#include "support/clouds.h"
 
 namespace {
 
@@ -40,13 +44,13 @@ TEST(Matching, FindsTheMutualNearestAndTheBestFirst) {
     if (nearest(b, j, a, 80) == i) expected.emplace_back(squared(a, i, b, j), i);
   }
   std::sort(expected.begin(), expected.end());
-  const auto all = emtr::match(a, b, 1000, 2);
+  const auto all = emtr::match(a, b, 1000, emtr::select_kernels(), 2);
   ASSERT_EQ(all.size(), expected.size());
   ASSERT_GT(all.size(), 10u);
   for (std::size_t k = 0; k < all.size(); ++k)
     EXPECT_EQ(static_cast<std::size_t>(all[k].source), expected[k].second);
 
-  const auto few = emtr::match(a, b, 10, 1);
+  const auto few = emtr::match(a, b, 10, emtr::select_kernels(), 1);
   ASSERT_EQ(few.size(), 10u);
   for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(few[k].target, all[k].target);
 }
@@ -55,7 +59,7 @@ TEST(Matching, PassesOverPointsWithoutADescriptor) {
   emtr::Features a = random_features(30, 3);
   const emtr::Features b = a;
   std::fill_n(&a.descriptors[33 * 4], 33, std::numeric_limits<float>::quiet_NaN());
-  const auto matches = emtr::match(a, b, 1000, 1);
+  const auto matches = emtr::match(a, b, 1000, emtr::select_kernels(), 1);
   EXPECT_EQ(matches.size(), 29u);
   for (const auto& m : matches) EXPECT_EQ(m.source, m.target);
 }
@@ -64,7 +68,120 @@ TEST(Matching, OfNothingIsNothing) {
   emtr::Features none = random_features(3, 4);
   std::fill(none.descriptors.begin(), none.descriptors.end(),
             std::numeric_limits<float>::quiet_NaN());
-  EXPECT_TRUE(emtr::match(none, random_features(5, 5), 10, 1).empty());
+  EXPECT_TRUE(emtr::match(none, random_features(5, 5), 10, emtr::select_kernels(), 1).empty());
+}
+
+using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+Pairs pairs(const std::vector<emtr::Correspondence>& matches) {
+  Pairs out;
+  for (const auto& m : matches) out.emplace_back(m.source, m.target);
+  return out;
+}
+
+/// As the kernels take it: in float, in the order of the bins.
+float squared_in_float(const emtr::Features& a, std::size_t i, const emtr::Features& b,
+                       std::size_t j) {
+  float sum = 0;
+  for (std::size_t k = 0; k < emtr::kFeatureSize; ++k) {
+    const float d = a.descriptors[33 * i + k] - b.descriptors[33 * j + k];
+    sum += d * d;
+  }
+  return sum;
+}
+
+/// By sorting all of them.
+Pairs mutual_by_brute_force(const emtr::Features& a, std::size_t n, const emtr::Features& b,
+                            std::size_t m, std::size_t k) {
+  const auto best = [k](std::size_t others, const auto& distance) {
+    std::vector<std::pair<float, std::size_t>> all;
+    for (std::size_t j = 0; j < others; ++j) all.emplace_back(distance(j), j);
+    std::sort(all.begin(), all.end());
+    all.resize(std::min(k, all.size()));
+    return all;
+  };
+  std::vector<std::vector<std::pair<float, std::size_t>>> backward;
+  for (std::size_t j = 0; j < m; ++j)
+    backward.push_back(best(n, [&](std::size_t i) { return squared_in_float(a, i, b, j); }));
+  std::vector<std::tuple<float, std::int32_t, std::int32_t>> found;
+  for (std::size_t i = 0; i < n; ++i)
+    for (const auto& [d, j] : best(m, [&](std::size_t o) { return squared_in_float(a, i, b, o); }))
+      for (const auto& [e, back] : backward[j])
+        if (back == i)
+          found.emplace_back(d, static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
+  std::sort(found.begin(), found.end());
+  Pairs out;
+  for (const auto& [d, i, j] : found) out.emplace_back(i, j);
+  return out;
+}
+
+TEST(Matching, PairsAreWithinTheTopOfEachOtherInEachKernelAndForAnyThreads) {
+  for (const auto& [n, m] : {std::pair{300, 411}, {411, 300}, {5, 2}, {1, 1}, {130, 2500}}) {
+    const auto a = random_features(static_cast<std::size_t>(n), 7),
+               b = random_features(static_cast<std::size_t>(m), 8);
+    for (const int k : {1, 3, 8}) {
+      const Pairs expected =
+          mutual_by_brute_force(a, static_cast<std::size_t>(n), b, static_cast<std::size_t>(m),
+                                static_cast<std::size_t>(k));
+      ASSERT_FALSE(expected.empty());
+      for (const emtr::Kernels* kernels : emtr_test::kernels_here())
+        for (const int threads : {1, 2, 5})
+          EXPECT_EQ(pairs(emtr::match_mutual(a, b, k, 1000000, *kernels, threads)), expected)
+              << kernels->name << " " << n << " x " << m << ", k = " << k;
+    }
+  }
+}
+
+TEST(Matching, OfEqualDistancesTheSmallestRowIsTheNearer) {
+  emtr::Features a = random_features(40, 9);
+  emtr::Features twice = a;  // each descriptor again, 40 rows later
+  twice.descriptors.insert(twice.descriptors.end(), a.descriptors.begin(), a.descriptors.end());
+  for (const emtr::Kernels* kernels : emtr_test::kernels_here())
+    for (const auto& [s, t] : {std::pair{a, twice}, {twice, a}, {twice, twice}}) {
+      const auto matches = emtr::match_mutual(s, t, 1, 1000, *kernels, 3);
+      EXPECT_EQ(matches.size(), 40u);
+      for (const auto& m : matches) {
+        EXPECT_EQ(m.source, m.target);
+        EXPECT_LT(m.source, 40);
+      }
+      EXPECT_EQ(
+          pairs(emtr::match_mutual(s, t, 3, 1000, *kernels, 2)),
+          mutual_by_brute_force(s, s.descriptors.size() / 33, t, t.descriptors.size() / 33, 3));
+    }
+}
+
+TEST(Matching, AgreesWithTheKdTreeOfPcl) {
+  const emtr::Features a = random_features(500, 10), b = random_features(700, 11);
+  const auto cloud = [](const emtr::Features& f) {
+    auto out = pcl::make_shared<pcl::PointCloud<pcl::FPFHSignature33>>();
+    for (std::size_t i = 0; i < f.descriptors.size(); i += 33) {
+      pcl::FPFHSignature33 signature;
+      std::copy_n(&f.descriptors[i], 33, signature.histogram);
+      out->push_back(signature);
+    }
+    return out;
+  };
+  const auto nearest_of = [&](const emtr::Features& queries, const emtr::Features& points) {
+    pcl::KdTreeFLANN<pcl::FPFHSignature33> tree;
+    tree.setInputCloud(cloud(points));
+    std::vector<std::int32_t> out;
+    pcl::Indices index(1);
+    std::vector<float> distance(1);
+    for (const auto& query : *cloud(queries)) {
+      tree.nearestKSearch(query, 1, index, distance);
+      out.push_back(index[0]);
+    }
+    return out;
+  };
+  const auto forward = nearest_of(a, b), backward = nearest_of(b, a);
+  Pairs expected;
+  for (std::size_t i = 0; i < forward.size(); ++i)
+    if (backward[static_cast<std::size_t>(forward[i])] == static_cast<std::int32_t>(i))
+      expected.emplace_back(static_cast<std::int32_t>(i), forward[i]);
+  Pairs found = pairs(emtr::match(a, b, 100000, emtr::select_kernels(), 2));
+  std::sort(found.begin(), found.end());
+  EXPECT_GT(found.size(), 50u);
+  EXPECT_EQ(found, expected);
 }
 
 }  // namespace

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cmath>
+
+#include "../team.h"
+#include "cell_grid.h"
+#include "fpfh_backends.h"
+
+namespace emtr {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t kCellsOfAPiece = 16;
+
+class Description {
+ public:
+  Description(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
+              std::size_t threads)
+      : definition_(definition),
+        kernels_(kernels),
+        n_(cloud.size()),
+        grid_(cloud, std::max(definition.normal_radius, definition.feature_radius / 2)),
+        scratch_(threads),
+        moments_(kMoments * n_),
+        histograms_(kDescriptorRow * n_) {
+    normals_.resize(n_);
+    features_.normals.resize(3 * n_);
+    features_.descriptors.assign(kDescriptor * n_, kNone);
+  }
+
+  Features run(Team& team) {
+    estimate_normals(team);
+    for_each_cell(team, [this](std::size_t cell, Scratch& s) { pair_histograms(cell, s); });
+    for_each_cell(team, [this](std::size_t cell, Scratch& s) { weigh_histograms(cell, s); });
+    return std::move(features_);
+  }
+
+ private:
+  struct Scratch {
+    std::vector<CellGrid::Range> ranges;
+    NeighborList list;
+    Cloud normals;  // of the list
+  };
+
+  template <class Work>
+  void for_each_cell(Team& team, const Work& work) {
+    const std::size_t cells = grid_.occupied();
+    team.parallel((cells + kCellsOfAPiece - 1) / kCellsOfAPiece,
+                  [&](std::size_t piece, std::size_t thread) {
+                    const std::size_t end = std::min(cells, (piece + 1) * kCellsOfAPiece);
+                    for (std::size_t c = piece * kCellsOfAPiece; c < end; ++c)
+                      work(c, scratch_[thread]);
+                  });
+  }
+
+  void gather(std::size_t cell, double radius, const Cloud& points, Scratch& s) const {
+    grid_.around(cell, grid_.reach(radius), s.ranges);
+    s.list.gather(points, s.ranges);
+  }
+
+  std::array<float, 3> point(std::size_t i) const {
+    return {grid_.sorted.x[i], grid_.sorted.y[i], grid_.sorted.z[i]};
+  }
+  bool has_normal(std::size_t i) const { return normals_.x[i] == normals_.x[i]; }
+
+  void estimate_normals(Team& team) {
+    for_each_cell(team, [this](std::size_t cell, Scratch& s) {
+      gather(cell, definition_.normal_radius, grid_.sorted, s);
+      for (std::size_t i = grid_.begin(cell); i < grid_.end(cell); ++i)
+        kernels_.moments(s.list.points.view(), point(i).data(), squared(definition_.normal_radius),
+                         &moments_[i], n_);
+    });
+    kernels_.least_directions(moments_.data(), n_, grid_.sorted.view(),
+                              definition_.viewpoint.data(), normals_.x.data(), normals_.y.data(),
+                              normals_.z.data());
+    // Points without a normal are nobody's neighbours from here on.
+    oriented_ = grid_.sorted;
+    for (std::size_t i = 0; i < n_; ++i) {
+      float* out = &features_.normals[3 * static_cast<std::size_t>(grid_.rows[i])];
+      out[0] = normals_.x[i];
+      out[1] = normals_.y[i];
+      out[2] = normals_.z[i];
+      if (!has_normal(i)) oriented_.x[i] = oriented_.y[i] = oriented_.z[i] = kFarAway;
+    }
+  }
+
+  void pair_histograms(std::size_t cell, Scratch& s) {
+    gather(cell, definition_.feature_radius, oriented_, s);
+    s.normals.resize(s.list.size());
+    for (std::size_t k = 0; k < s.list.size(); ++k) {
+      s.normals.x[k] = normals_.x[s.list.rows[k]];
+      s.normals.y[k] = normals_.y[s.list.rows[k]];
+      s.normals.z[k] = normals_.z[s.list.rows[k]];
+    }
+    const SurfaceView list = {s.list.points.view(), s.normals.x.data(), s.normals.y.data(),
+                              s.normals.z.data()};
+    for (std::size_t i = grid_.begin(cell); i < grid_.end(cell); ++i) {
+      if (!has_normal(i)) continue;
+      const auto [x, y, z] = point(i);
+      kernels_.pair_histograms(list, {x, y, z, normals_.x[i], normals_.y[i], normals_.z[i]},
+                               squared(definition_.feature_radius),
+                               &histograms_[kDescriptorRow * i]);
+    }
+  }
+
+  void weigh_histograms(std::size_t cell, Scratch& s) {
+    gather(cell, definition_.feature_radius, oriented_, s);
+    for (std::size_t i = grid_.begin(cell); i < grid_.end(cell); ++i) {
+      if (!has_normal(i)) continue;
+      std::array<float, kDescriptor> bins;
+      kernels_.weighted_histograms(s.list.points.view(), s.list.rows.data(), point(i).data(),
+                                   squared(definition_.feature_radius), histograms_.data(),
+                                   bins.data());
+      // A point alone in its neighbourhood gets an empty histogram, which would match any other.
+      float sum = 0;
+      for (const float bin : bins) sum += bin;
+      if (std::isfinite(sum) && sum > 0)
+        std::copy(bins.begin(), bins.end(),
+                  &features_.descriptors[kDescriptor * static_cast<std::size_t>(grid_.rows[i])]);
+    }
+  }
+
+  static float squared(double radius) { return static_cast<float>(radius * radius); }
+
+  const FeatureDefinition& definition_;
+  const Kernels& kernels_;
+  std::size_t n_;
+  CellGrid grid_;
+  std::vector<Scratch> scratch_;
+  std::vector<float> moments_;  // of the sorted points, as all below; [moment][point]
+  Cloud normals_, oriented_;
+  std::vector<float> histograms_;
+  Features features_;
+};
+
+}  // namespace
+
+Features describe_by_kernels(const Cloud& cloud, const FeatureDefinition& definition,
+                             const Kernels& kernels, int threads) {
+  Features out;
+  Description description(cloud, definition, kernels, static_cast<std::size_t>(threads));
+  Team::with(threads, [&](Team& team) { out = description.run(team); });
+  return out;
+}
+
+}  // namespace emtr

@@ -1,0 +1,32 @@
+// All inner loops and their table, for the instruction set whose name EMTR_KERNEL is.
+#include "lanes.h"
+//
+#include "descriptors.inl"
+#include "matching.inl"
+#include "nearest.inl"
+#include "sums.inl"
+//
+#include "consistency.inl"
+
+namespace emtr::EMTR_KERNEL {
+
+constexpr Kernels all(const char* name) {
+  Kernels k = {};
+  k.name = name;
+  k.transform = transform;
+  k.squared_distances = squared_distances;
+  k.nearest = nearest;
+  k.rho_sum = rho_sum;
+  k.consensus = consensus;
+  k.consistent = consistent;
+  k.count_common = count_common;
+  k.moments = moments;
+  k.least_directions = least_directions;
+  k.pair_histograms = pair_histograms;
+  k.weighted_histograms = weighted_histograms;
+  k.least_squared = least_squared;
+  k.nearest_descriptors = nearest_descriptors;
+  return k;
+}
+
+}  // namespace emtr::EMTR_KERNEL

@@ -1,0 +1,87 @@
+// Nearest neighbours among descriptors, by comparing all with all. Included by each instruction
+// set's file.
+
+#include "lanes.h"
+
+namespace emtr::EMTR_KERNEL {
+namespace {
+
+constexpr std::size_t kSide = 2 * EMTR_REGISTER;  // columns at once; no sum goes across them
+constexpr std::size_t kRows = 4;                  // rows at once
+constexpr std::size_t kTile = 64;  // blocks that stay in the cache while the rows pass
+using Columns = Floats<kSide>;
+
+inline void enter(const NearestLists& lists, std::size_t item, float squared, std::int32_t index) {
+  std::size_t j = lists.k - 1;
+  if (!(squared < lists.squared[j * lists.stride + item])) return;
+  for (; j > 0 && squared < lists.squared[(j - 1) * lists.stride + item]; --j) {
+    lists.squared[j * lists.stride + item] = lists.squared[(j - 1) * lists.stride + item];
+    lists.index[j * lists.stride + item] = lists.index[(j - 1) * lists.stride + item];
+  }
+  lists.squared[j * lists.stride + item] = squared;
+  lists.index[j * lists.stride + item] = index;
+}
+
+/// Enters the distances of one row to kSide columns.
+EMTR_INLINE void enter_all(const Columns& squared, std::size_t row, std::int32_t first_row,
+                           std::size_t first_column, const NearestLists& of_rows,
+                           const NearestLists& of_columns) {
+  const std::size_t row_last = (of_rows.k - 1) * of_rows.stride + row;
+  const std::size_t column_last = (of_columns.k - 1) * of_columns.stride + first_column;
+  const bool row_gains = any(squared < all<kSide>(of_rows.squared[row_last]));
+  const bool column_gains = any(squared < loaded<kSide>(of_columns.squared + column_last));
+  if (!row_gains && !column_gains) return;
+  float each[kSide];
+  store<kSide, Floats>(each, squared);
+  for (std::size_t l = 0; l < kSide; ++l) {
+    if (row_gains) enter(of_rows, row, each[l], static_cast<std::int32_t>(first_column + l));
+    if (column_gains)
+      enter(of_columns, first_column + l, each[l], first_row + static_cast<std::int32_t>(row));
+  }
+}
+
+/// Number rows against kSide columns; the sum over the descriptor is taken in its order.
+template <std::size_t Number>
+EMTR_INLINE void compare(const float* rows, std::size_t row, std::int32_t first_row,
+                         const float* columns, std::size_t first_column,
+                         const NearestLists& of_rows, const NearestLists& of_columns) {
+  Columns sum[Number] = {};
+#pragma GCC unroll 1
+  for (std::size_t d = 0; d < kDescriptor; ++d) {
+    const Columns column = loaded<kSide>(columns + d * kDescriptorBlock);
+#pragma GCC unroll 4
+    for (std::size_t r = 0; r < Number; ++r) {
+      const Columns difference = all<kSide>(rows[(row + r) * kDescriptor + d]) - column;
+      sum[r] = sum[r] + difference * difference;
+    }
+  }
+  for (std::size_t r = 0; r < Number; ++r)
+    enter_all(sum[r], row + r, first_row, first_column, of_rows, of_columns);
+}
+
+template <std::size_t Number>
+EMTR_INLINE void compare_tile(const float* rows, std::size_t row, std::int32_t first_row,
+                              const DescriptorBlocks& columns, std::size_t begin, std::size_t end,
+                              const NearestLists& of_rows, const NearestLists& of_columns) {
+  for (std::size_t b = begin; b < end; ++b)
+    for (std::size_t side = 0; side < kDescriptorBlock; side += kSide)
+      compare<Number>(rows, row, first_row,
+                      columns.values + b * kDescriptor * kDescriptorBlock + side,
+                      b * kDescriptorBlock + side, of_rows, of_columns);
+}
+
+void nearest_descriptors(const float* rows, std::size_t count, std::int32_t first_row,
+                         const DescriptorBlocks& columns, const NearestLists& of_rows,
+                         const NearestLists& of_columns) {
+  for (std::size_t begin = 0; begin < columns.blocks; begin += kTile) {
+    const std::size_t end = begin + kTile < columns.blocks ? begin + kTile : columns.blocks;
+    std::size_t row = 0;
+    for (; row + kRows <= count; row += kRows)
+      compare_tile<kRows>(rows, row, first_row, columns, begin, end, of_rows, of_columns);
+    for (; row < count; ++row)
+      compare_tile<1>(rows, row, first_row, columns, begin, end, of_rows, of_columns);
+  }
+}
+
+}  // namespace
+}  // namespace emtr::EMTR_KERNEL
