@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "depth_map.h"
+#include "surface.h"
+#include "viewpoint.h"
+
+namespace emtr {
+
+/// How much a pose contradicts the scans: points of one cloud where the sensor of the other looked
+/// through nothing.
+class FreeSpace {
+ public:
+  using Scratch = DepthMap::Scratch;
+
+  /// The normals must be oriented (orient()) to the first viewpoint of each surface that has any.
+  /// The surfaces and the kernels must outlive this.
+  FreeSpace(const Surface& source, const Surface& target, const Viewpoints& of_source,
+            const Viewpoints& of_target, const Kernels& kernels);
+
+  /// The mean of the shares of both clouds' points that lie clearly in front of what the other's
+  /// sensor saw, 0 to 1; 0 for a cloud whose counterpart has no viewpoint.
+  ///
+  /// `sign`: of the normals under this pose (FitValue::sign). Both sensors saw the same side of
+  /// the surface where it is positive, so that first goes with first and mirrored with mirrored;
+  /// otherwise first with mirrored. The least of those combinations counts. Where only one
+  /// surface has viewpoints, or where the one combination of two given ones is not admissible,
+  /// all are tried.
+  double violation(const Rigid& pose, double sign, Scratch& scratch) const;
+
+ private:
+  const Surface& source_;
+  const Surface& target_;
+  std::vector<DepthMap> of_source_, of_target_;
+};
+
+}  // namespace emtr

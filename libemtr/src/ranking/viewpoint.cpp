@@ -1,0 +1,136 @@
+#include "viewpoint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "z_buffer.h"
+
+namespace emtr {
+namespace {
+
+using Direction = std::array<double, 3>;
+
+constexpr std::size_t kDirections = 100;
+constexpr double kRadii[] = {1.26, 2.34, 4.33, 8};
+constexpr std::size_t kPromising = 30;  // directions that are looked at with all points
+/// Places that see nearly as much as the best, by this share, have a say in the estimate: a sensor
+/// stands in the middle of them rather than at the very best.
+constexpr double kNearlyBest = 0.03;
+
+struct View {
+  Direction direction;
+  double radius, share;
+};
+
+double dot(const Direction& a, const Direction& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Evenly over the sphere, each one golden angle further. By turns and not by sines and cosines,
+/// whose last bits differ from machine to machine.
+std::vector<Direction> directions() {
+  constexpr double cosine = -0.7373688780783197, sine = 0.6754902942615238;
+  std::vector<Direction> out(kDirections);
+  double c = 1, s = 0;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(kDirections);
+    const double r = std::sqrt(1 - z * z);
+    out[i] = {r * c, r * s, z};
+    const double turned = cosine * c - sine * s;
+    s = sine * c + cosine * s;
+    c = turned;
+  }
+  return out;
+}
+
+Viewpoint place(const Direction& centroid, const Direction& direction, double radius) {
+  Viewpoint out;
+  for (std::size_t a = 0; a < 3; ++a) out.at[a] = centroid[a] + radius * direction[a];
+  return out;
+}
+
+/// The radius that sees most along a direction.
+View best_along(ZBuffer& buffer, const Direction& direction) {
+  View best{direction, 0, -1};
+  for (const double radius : kRadii) {
+    const double share = buffer.visible_share(place(buffer.centroid(), direction, radius).at);
+    if (share > best.share) best = {direction, radius, share};
+  }
+  return best;
+}
+
+/// A quarter of the points, which lie twice as far apart, tells the directions that may matter.
+std::vector<View> promising(const Surface& surface, const Kernels& kernels) {
+  Surface some;
+  some.leaf = 2 * surface.leaf;
+  const auto take = [](const std::vector<float>& from, std::vector<float>& to) {
+    for (std::size_t i = 0; i < from.size(); i += 4) to.push_back(from[i]);
+  };
+  for (auto [from, to] :
+       {std::pair{&surface.points, &some.points}, std::pair{&surface.normals, &some.normals}}) {
+    take(from->x, to->x);
+    take(from->y, to->y);
+    take(from->z, to->z);
+  }
+  ZBuffer buffer(some, kernels);
+  std::vector<View> views;
+  for (const Direction& direction : directions()) views.push_back(best_along(buffer, direction));
+  std::stable_sort(views.begin(), views.end(),
+                   [](const View& a, const View& b) { return a.share > b.share; });
+  views.resize(kPromising);
+  return views;
+}
+
+/// Of those that see nearly as much as the best. Opposites count for one another: which side is
+/// the sensor's is open anyway.
+Direction middle(const std::vector<View>& views, const View& best) {
+  Direction sum{};
+  for (const View& view : views) {
+    const double near = 1 - (best.share - view.share) / kNearlyBest;
+    const double cosine = dot(view.direction, best.direction);
+    if (near <= 0 || std::abs(cosine) < 0.5) continue;
+    for (std::size_t a = 0; a < 3; ++a)
+      sum[a] += near * near * (cosine < 0 ? -view.direction[a] : view.direction[a]);
+  }
+  const double length = std::sqrt(dot(sum, sum));
+  return {sum[0] / length, sum[1] / length, sum[2] / length};
+}
+
+}  // namespace
+
+Viewpoints given_viewpoint(const Surface& surface, const Viewpoint& at, const Kernels& kernels) {
+  return {{at}, ZBuffer(surface, kernels).visible_share(at.at)};
+}
+
+Viewpoints estimate_viewpoints(const Surface& surface, const Kernels& kernels) {
+  ZBuffer buffer(surface, kernels);
+  std::vector<View> views = promising(surface, kernels);
+  for (View& view : views)
+    view.share = buffer.visible_share(place(buffer.centroid(), view.direction, view.radius).at);
+  const View best = *std::max_element(
+      views.begin(), views.end(), [](const View& a, const View& b) { return a.share < b.share; });
+  Viewpoints out;
+  out.visible = best.share;
+  if (best.share < kLeastVisible) return out;
+  const View found = best_along(buffer, middle(views, best));
+  out.candidates = {place(buffer.centroid(), found.direction, found.radius),
+                    place(buffer.centroid(), found.direction, -found.radius)};
+  return out;
+}
+
+void orient(Surface& surface, const Viewpoint& toward) {
+  const Cloud& p = surface.points;
+  Cloud& n = surface.normals;
+  const auto x = static_cast<float>(toward.at[0]), y = static_cast<float>(toward.at[1]),
+             z = static_cast<float>(toward.at[2]);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const float side = (n.x[i] * (x - p.x[i]) + n.y[i] * (y - p.y[i])) + n.z[i] * (z - p.z[i]);
+    if (!(side < 0)) continue;
+    n.x[i] = -n.x[i];
+    n.y[i] = -n.y[i];
+    n.z[i] = -n.z[i];
+  }
+}
+
+}  // namespace emtr

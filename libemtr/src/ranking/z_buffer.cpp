@@ -1,0 +1,68 @@
+#include "z_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "../tasks/transform.h"
+#include "direction_bins.h"
+
+namespace emtr {
+namespace {
+
+constexpr float kLeastCosine = 0.1f;  // no surface seen more askance falls away further than this
+
+double mean(const std::vector<float>& v) {
+  return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
+}
+
+}  // namespace
+
+ZBuffer::ZBuffer(const Surface& surface, const Kernels& kernels)
+    : surface_(surface),
+      kernels_(kernels),
+      centroid_{mean(surface.points.x), mean(surface.points.y), mean(surface.points.z)} {
+  for (auto* v : {&x_, &y_, &z_, &range_, &allowance_}) v->resize(surface.points.size());
+  bin_.resize(surface.points.size());
+}
+
+void ZBuffer::measure(const double viewpoint[3]) {
+  const Cloud &p = surface_.points, &n = surface_.normals;
+  const auto leaf = static_cast<float>(surface_.leaf);
+  const auto x = static_cast<float>(viewpoint[0]), y = static_cast<float>(viewpoint[1]),
+             z = static_cast<float>(viewpoint[2]);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const float dx = p.x[i] - x, dy = p.y[i] - y, dz = p.z[i] - z;
+    const float range = std::sqrt((dx * dx + dy * dy) + dz * dz);
+    const float along = std::abs((dx * n.x[i] + dy * n.y[i]) + dz * n.z[i]);
+    // A point without a normal (NaN) fails the comparison, and is taken to face the viewpoint.
+    float cosine = along < range ? along / range : 1.0f;
+    cosine = cosine > kLeastCosine ? cosine : kLeastCosine;
+    range_[i] = range;
+    allowance_[i] = leaf * (1 + std::sqrt(1 / (cosine * cosine) - 1));
+  }
+}
+
+double ZBuffer::visible_share(const double viewpoint[3]) {
+  const Cloud& points = surface_.points;
+  const std::size_t n = points.size();
+  measure(viewpoint);
+  const double leaf = surface_.leaf;
+  const DirectionBins bins(viewpoint, centroid_.data(), leaf / std::max(mean(range_), leaf));
+  transform(kernels_, points, bins.to_view(), x_.data(), y_.data(), z_.data());
+  const auto side = static_cast<std::size_t>(bins.side());
+  if (nearest_.size() < 6 * side * side) nearest_.resize(6 * side * side);
+  // Only the bins that hold something are cleared: a distant viewpoint has many that do not.
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto b = bins(x_[i], y_[i], z_[i]);
+    bin_[i] = static_cast<std::uint32_t>((b.face * bins.side() + b.row) * bins.side() + b.column);
+    nearest_[bin_[i]] = std::numeric_limits<float>::infinity();
+  }
+  for (std::size_t i = 0; i < n; ++i) nearest_[bin_[i]] = std::min(nearest_[bin_[i]], range_[i]);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < n; ++i) seen += range_[i] <= nearest_[bin_[i]] + allowance_[i];
+  return static_cast<double>(seen) / static_cast<double>(n);
+}
+
+}  // namespace emtr

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "ranking/viewpoint.h"
+#include "surfaces.h"
+
+namespace {
+
+using emtr::Surface;
+using emtr::Viewpoint;
+using emtr::Viewpoints;
+using emtr_test::lumpy_ball;
+using emtr_test::point;
+using emtr_test::Vector;
+
+const emtr::Kernels& kernels() { return emtr::select_kernels(); }
+
+constexpr double kLeaf = 0.04;
+
+/// The lumpy ball with the points as far apart as a voxel grid leaves them; only those that `take`
+/// says.
+template <class Take>
+Surface thinned(unsigned seed, Take take) {
+  const Surface all = lumpy_ball(20000, seed, kLeaf);
+  Surface out;
+  out.leaf = kLeaf;
+  std::set<std::array<int, 3>> taken;
+  for (std::size_t i = 0; i < all.points.size(); ++i) {
+    const Vector p = point(all.points, i), n = point(all.normals, i);
+    std::array<int, 3> cell;
+    for (std::size_t a = 0; a < 3; ++a) cell[a] = static_cast<int>(std::floor(p[a] / kLeaf));
+    if (take(p, n) && taken.insert(cell).second) emtr_test::push(out, p, n);
+  }
+  return out;
+}
+
+/// What a sensor at `from` sees of it.
+Surface scan(const Vector& from, unsigned seed = 1) {
+  return thinned(seed, [&](const Vector& p, const Vector& n) {
+    const Vector d{from[0] - p[0], from[1] - p[1], from[2] - p[2]};
+    return emtr_test::dot(n, d) > 0.1 * std::sqrt(emtr_test::dot(d, d));
+  });
+}
+
+Vector from_centroid(const emtr::Cloud& points, const Vector& v) {
+  Vector c{};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t a = 0; a < 3; ++a)
+      c[a] += point(points, i)[a] / static_cast<double>(points.size());
+  return {v[0] - c[0], v[1] - c[1], v[2] - c[2]};
+}
+
+Vector place(const Viewpoint& v) { return {v.at[0], v.at[1], v.at[2]}; }
+
+double degrees(const Vector& a, const Vector& b) {
+  return std::acos(emtr_test::dot(a, b) / std::sqrt(emtr_test::dot(a, a) * emtr_test::dot(b, b))) *
+         57.29577951308232;
+}
+
+TEST(Viewpoint, OfAOneSidedScanIsFound) {
+  double sum = 0;
+  for (const Vector& from : {Vector{0, 0, 4}, Vector{3, 1, -2}, Vector{-1, 2.5, 1},
+                             Vector{-6, -6, 2}, Vector{0.5, -3, 0}}) {
+    const Surface seen = scan(from);
+    const Viewpoints found = estimate_viewpoints(seen, kernels());
+    EXPECT_GE(found.visible, emtr::kLeastVisible);
+    ASSERT_EQ(found.candidates.size(), 2u);
+    const Vector truth = from_centroid(seen.points, from),
+                 first = from_centroid(seen.points, place(found.candidates[0])),
+                 second = from_centroid(seen.points, place(found.candidates[1]));
+    const double off = degrees(truth, first);
+    sum += std::min(off, 180 - off);
+    EXPECT_LT(std::min(off, 180 - off), 30) << from[0] << ' ' << from[1] << ' ' << from[2];
+    for (std::size_t a = 0; a < 3; ++a) EXPECT_NEAR(first[a], -second[a], 1e-5);
+  }
+  EXPECT_LT(sum / 5, 18);  // a half of a ball looks much the same from places far apart
+}
+
+TEST(Viewpoint, AClosedModelHasNone) {
+  const Surface all = thinned(2, [](const Vector&, const Vector&) { return true; });
+  const Viewpoints found = estimate_viewpoints(all, kernels());
+  EXPECT_TRUE(found.candidates.empty());
+  EXPECT_LT(found.visible, 0.8);
+  EXPECT_GT(found.visible, 0.3);
+}
+
+TEST(Viewpoint, GivenIsTakenAsItIs) {
+  const Surface seen = scan({0, 0, 4});
+  const Viewpoints front = given_viewpoint(seen, {{0, 0, 4}}, kernels());
+  ASSERT_EQ(front.candidates.size(), 1u);
+  EXPECT_EQ(place(front.candidates[0]), (Vector{0, 0, 4}));
+  EXPECT_GT(front.visible, 0.95);
+  EXPECT_LT(given_viewpoint(seen, {{4, 0, 0}}, kernels()).visible, 0.8);
+}
+
+TEST(Viewpoint, OrientsNormalsToItsSide) {
+  const Vector from{1, 3, -1};
+  Surface seen = scan(from);
+  const Surface truth = seen;  // its normals look outwards, so to the sensor
+  for (std::size_t i = 0; i < seen.points.size(); i += 2) {
+    seen.normals.x[i] = -seen.normals.x[i];
+    seen.normals.y[i] = -seen.normals.y[i];
+    seen.normals.z[i] = -seen.normals.z[i];
+  }
+  emtr::orient(seen, {{1, 3, -1}});
+  EXPECT_EQ(seen.normals.x, truth.normals.x);
+  EXPECT_EQ(seen.normals.z, truth.normals.z);
+  emtr::orient(seen, {{-30, -90, 30}});
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < seen.points.size(); ++i)
+    turned += seen.normals.x[i] == -truth.normals.x[i];
+  EXPECT_GT(turned, seen.points.size() * 9 / 10);
+}
+
+TEST(Viewpoint, SameForEveryKernel) {
+  const Surface seen = scan({-1, 2.5, 1}, 3);
+  const Viewpoints first = estimate_viewpoints(seen, *emtr::kernels_at(0));
+  for (const emtr::Kernels* k : emtr_test::kernels_here()) {
+    const Viewpoints found = estimate_viewpoints(seen, *k);
+    EXPECT_EQ(found.visible, first.visible);
+    ASSERT_EQ(found.candidates.size(), 2u);
+    EXPECT_EQ(place(found.candidates[0]), place(first.candidates[0]));
+  }
+}
+
+TEST(Viewpoint, FewPointsAreEnoughForAnAnswer) {
+  for (const std::size_t n : {1u, 10u}) {
+    const Viewpoints found = estimate_viewpoints(lumpy_ball(n, 1, 0.1), kernels());
+    EXPECT_GT(found.visible, 0.5);
+    for (const Viewpoint& v : found.candidates)
+      for (const double at : v.at) EXPECT_TRUE(std::isfinite(at));
+  }
+}
+
+}  // namespace
