@@ -1,4 +1,5 @@
 #define EMTR_KERNEL generic
+#include "consensus.inl"
 #include "lanes.h"
 #include "nearest.inl"
 #include "sums.inl"
