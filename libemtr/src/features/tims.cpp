@@ -21,7 +21,15 @@ Tims form_tims(const Cloud& source, const Cloud& target,
     cloud.y.push_back(d.y);
     cloud.z.push_back(d.z);
   };
+  const auto point = [](const Cloud& cloud, std::int32_t row) {
+    const auto i = static_cast<std::size_t>(row);
+    return Difference{cloud.x[i], cloud.y[i], cloud.z[i]};
+  };
   Tims tims;
+  for (const Correspondence& c : correspondences) {
+    append(tims.ends_source, point(source, c.source));
+    append(tims.ends_target, point(target, c.target));
+  }
   for (std::size_t j = 0; j < correspondences.size(); ++j)
     for (std::size_t k = j + 1; k < correspondences.size(); ++k) {
       const auto p = difference(source, correspondences[j].source, correspondences[k].source);

@@ -12,7 +12,8 @@ namespace emtr {
 /// correspondences, so that q_jk = R p_jk but for noise.
 struct Tims {
   Cloud source, target;
-  std::size_t pruned = 0;  ///< not in the arrays: outliers under every rotation
+  Cloud ends_source, ends_target;  ///< the correspondences themselves
+  std::size_t pruned = 0;          ///< not in the arrays: outliers under every rotation
 
   std::size_t kept() const { return source.size(); }
   std::size_t formed() const { return kept() + pruned; }

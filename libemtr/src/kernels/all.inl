@@ -5,6 +5,7 @@
 #include "matching.inl"
 #include "nearest.inl"
 #include "sums.inl"
+#include "consensus.inl"
 //
 #include "consistency.inl"
 

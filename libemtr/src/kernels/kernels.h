@@ -67,6 +67,11 @@ struct Consensus {
   double inliers, residuals;  ///< how many, and the sum of their |q - R p|
 };
 
+/// Floats of memory that `consensus` works in.
+constexpr std::size_t consensus_room(std::size_t correspondences) {
+  return 3 * (correspondences + 16) + 6 * (correspondences / 16 + 1);
+}
+
 /// One implementation of all inner loops. Every one gives the same bits: the operations on each
 /// number and the order of each sum are fixed, only how many are done at once differs.
 struct Kernels {
@@ -87,9 +92,10 @@ struct Kernels {
   /// Sum of rho(squared[i]) over fixed lanes: 1 - (1 - squared / c^2)^3.
   double (*rho_sum)(const float* squared, std::size_t n, float inverse_squared_scale);
 
-  /// Inliers are those with |q - R p|^2 < squared_threshold; R row-major.
+  /// Of the TIMs of all pairs of correspondences p, q, those with |q_jk - R p_jk|^2 <
+  /// squared_threshold are inliers; R row-major. Fastest when neighbours stand in a row.
   Consensus (*consensus)(const PointsView& p, const PointsView& q, const float* R,
-                         float squared_threshold);
+                         float squared_threshold, float* room);
 
   /// bits of one row: bit j is set when | |p_j - p_i| - |q_j - q_i| | < threshold. The arrays have
   /// room for a multiple of 64 points; bits past the last one mean nothing.

@@ -50,6 +50,10 @@ struct Ints<N, true> {
   typename Register<N>::Int v;
 };
 
+constexpr std::size_t kWide = 16;  // lanes of those sums that have no candidates to look at
+using Eight = Floats<kLanes>;
+using Sixteen = Floats<kWide>;
+
 template <std::size_t N>
 constexpr bool one_register() {
   return N <= EMTR_REGISTER;
@@ -199,6 +203,19 @@ EMTR_INLINE float sum_of(const Floats<8>& a) {
   return v[0];
 }
 
+/// Set in the lanes after lane k.
+template <std::size_t N>
+EMTR_INLINE Ints<N> lanes_after(std::int32_t k, std::int32_t first = 0) {
+  if constexpr (one_register<N>()) {
+    typename Register<N>::Int lane;
+    for (std::size_t l = 0; l < N; ++l) lane[l] = first + static_cast<std::int32_t>(l);
+    return {lane > k};
+  } else {
+    return {lanes_after<N / 2>(k, first),
+            lanes_after<N / 2>(k, first + static_cast<std::int32_t>(N / 2))};
+  }
+}
+
 /// The least of eight.
 EMTR_INLINE float least_of(const Floats<8>& a) {
 #if EMTR_REGISTER >= 8
@@ -214,6 +231,17 @@ EMTR_INLINE float least_of(const Floats<8>& a) {
 #endif
   v = w < v ? w : v;
   return v[0];
+}
+
+/// The least of sixteen.
+EMTR_INLINE float least_of(const Floats<16>& a) {
+#if EMTR_REGISTER >= 16
+  const Floats<8> low = {__builtin_shufflevector(a.v, a.v, 0, 1, 2, 3, 4, 5, 6, 7)};
+  const Floats<8> high = {__builtin_shufflevector(a.v, a.v, 8, 9, 10, 11, 12, 13, 14, 15)};
+  return least_of(least(low, high));
+#else
+  return least_of(least(a.low, a.high));
+#endif
 }
 
 }  // namespace emtr::EMTR_KERNEL

@@ -1,9 +1,9 @@
 // Nearest neighbours on a candidate grid. Included by each instruction set's file.
 
+#include "lanes.h"
+
 namespace emtr::EMTR_KERNEL {
 namespace {
-
-using Eight = Floats<kLanes>;
 
 /// Squared distances of a query to the eight candidates from k on.
 EMTR_INLINE Eight to_candidates(const GridView& g, std::uint32_t k, const Eight& x, const Eight& y,

@@ -23,6 +23,7 @@ class TaskBeta {
  private:
   const Tims& tims_;
   const Kernels& kernels_;
+  Cloud source_, target_;  ///< the correspondences in an order that keeps neighbours together
   float squared_threshold_;
   double penalty_;  ///< eta
 };

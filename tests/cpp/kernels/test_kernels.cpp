@@ -63,30 +63,43 @@ TEST(Kernels, RhoSumIsEveryTermAndTheSameBitsInEach) {
   }
 }
 
-TEST(Kernels, ConsensusCountsTheInliersAndIsTheSameBitsInEach) {
-  for (const std::size_t n : {0u, 1u, 7u, 8u, 511u, 512u, 513u, 3000u}) {
-    const Cloud p = uniform_cloud(n, 3), q = uniform_cloud(n, 4);
-    const float threshold = 0.8f;
-    double inliers = 0, residuals = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const float d[3] = {((kR[0] * p.x[i] + kR[1] * p.y[i]) + kR[2] * p.z[i]) - q.x[i],
-                          ((kR[3] * p.x[i] + kR[4] * p.y[i]) + kR[5] * p.z[i]) - q.y[i],
-                          ((kR[6] * p.x[i] + kR[7] * p.y[i]) + kR[8] * p.z[i]) - q.z[i]};
-      const float squared = (d[0] * d[0] + d[1] * d[1]) + d[2] * d[2];
-      if (squared >= threshold * threshold) continue;
-      inliers += 1;
-      residuals += std::sqrt(static_cast<double>(squared));
+TEST(Kernels, ConsensusCountsTheInliersOfAllPairsAndIsTheSameBitsInEach) {
+  for (const std::size_t n : {0u, 1u, 2u, 15u, 16u, 17u, 33u, 200u})
+    for (const float size : {1.0f, 8.0f}) {  // blocks that touch, and blocks that lie apart
+      const Cloud p = uniform_cloud(n, 3, size), q = uniform_cloud(n, 4, size);
+      const float threshold = 0.8f;
+      double inliers = 0, residuals = 0;
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t k = j + 1; k < n; ++k) {
+          double squared = 0;
+          for (int a = 0; a < 3; ++a) {
+            const auto end = [&](std::size_t i) {
+              const double to[3] = {double{q.x[i]}, double{q.y[i]}, double{q.z[i]}};
+              return double{kR[3 * a]} * double{p.x[i]} + double{kR[3 * a + 1]} * double{p.y[i]} +
+                     double{kR[3 * a + 2]} * double{p.z[i]} - to[a];
+            };
+            squared += (end(k) - end(j)) * (end(k) - end(j));
+          }
+          if (std::sqrt(squared) >= double{threshold}) continue;
+          inliers += 1;
+          residuals += std::sqrt(squared);
+        }
+      if (n == 200) {
+        ASSERT_GT(inliers, size > 1 ? 2 : 500);
+      }
+      const auto ask = [&](const Kernels& kernels) {
+        std::vector<float> room(emtr::consensus_room(n), 7.0f);
+        return kernels.consensus(p.view(), q.view(), kR, threshold * threshold, room.data());
+      };
+      const auto first = ask(*emtr::kernels_at(0));
+      EXPECT_EQ(first.inliers, inliers) << n;
+      EXPECT_NEAR(first.residuals, residuals, 1e-6 * residuals + 1e-6) << n;
+      for (const Kernels* k : kernels_here()) {
+        const auto found = ask(*k);
+        EXPECT_EQ(found.inliers, first.inliers) << k->name;
+        EXPECT_EQ(found.residuals, first.residuals) << k->name;
+      }
     }
-    const auto first =
-        emtr::kernels_at(0)->consensus(p.view(), q.view(), kR, threshold * threshold);
-    EXPECT_EQ(first.inliers, inliers) << n;
-    EXPECT_NEAR(first.residuals, residuals, 1e-5 * residuals + 1e-12) << n;
-    for (const Kernels* k : kernels_here()) {
-      const auto found = k->consensus(p.view(), q.view(), kR, threshold * threshold);
-      EXPECT_EQ(found.inliers, first.inliers) << k->name;
-      EXPECT_EQ(found.residuals, first.residuals) << k->name;
-    }
-  }
 }
 
 TEST(Kernels, CanBeChosenByName) {
