@@ -67,11 +67,12 @@ struct Spread {
 /// About the centroid, in a unit in which nothing overflows.
 Spread spread_about(const Eigen::Vector3d& center, double unit, const CloudReader& reader,
                     int threads) {
+  const double inverse = 1 / unit;
   std::vector<Spread> spreads(reader.blocks());
   in_parallel(spreads.size(), threads, [&](std::size_t block) {
     Spread spread;
     reader.each_finite(block, [&](std::size_t, const double* p) {
-      const Eigen::Vector3d u = (Eigen::Vector3d::Map(p) - center) / unit;
+      const Eigen::Vector3d u = (Eigen::Vector3d::Map(p) - center) * inverse;
       spread.squared_radius = std::max(spread.squared_radius, u.squaredNorm());
       spread.covariance += u * u.transpose();
     });
@@ -100,7 +101,7 @@ Extent measure(const CloudReader& reader, const std::string& name, int threads) 
   if (!center.allFinite() || !std::isfinite(sum.farthest)) refuse_large(name);
   if (sum.farthest < 1e-151) refuse_equal(name);
 
-  // A power of two, so that dividing by it costs no digits.
+  // A power of two, so that scaling by it costs no digits.
   const double unit = std::ldexp(1.0, std::ilogb(sum.farthest));
   const Spread spread = spread_about(center, unit, reader, threads);
   const double radius = unit * std::sqrt(spread.squared_radius);

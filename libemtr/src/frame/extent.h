@@ -17,7 +17,8 @@ struct Extent {
   int longest = 0;                  ///< the axis along which the cloud varies most
 
   void to_unit_ball(const double p[3], float out[3]) const {
-    for (int k = 0; k < 3; ++k) out[k] = static_cast<float>((p[k] - center[k]) / radius);
+    const double inverse = 1 / radius;
+    for (int k = 0; k < 3; ++k) out[k] = static_cast<float>((p[k] - center[k]) * inverse);
   }
 };
 

@@ -11,7 +11,7 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kSlabPoints = 1u << 18;  // a slab and its filter stay near the caches
+constexpr std::size_t kSlabPoints = 1u << 16;  // a slab and its filter stay in the caches
 
 /// The finite points of one block by layer: their places, and where each layer begins among them.
 struct Block {

@@ -43,13 +43,13 @@ Rows sorted(const emtr::Cloud& cloud) {
   return rows;
 }
 
-/// All finite points by (p - center) / radius, one by one.
+/// All finite points by (p - center) * (1 / radius), one by one.
 emtr::Cloud all_points(const std::vector<float>& packed, const emtr::PreparedCloud& prepared) {
   emtr::Cloud cloud;
   const auto unit = [&](std::size_t i, int k) {
     return static_cast<float>(
-        (double{packed[3 * i + static_cast<std::size_t>(k)]} - prepared.center[k]) /
-        prepared.radius);
+        (double{packed[3 * i + static_cast<std::size_t>(k)]} - prepared.center[k]) *
+        (1 / prepared.radius));
   };
   for (std::size_t i = 0; i < packed.size() / 3; ++i)
     if (std::isfinite(packed[3 * i + 2]))
