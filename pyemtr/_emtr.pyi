@@ -23,8 +23,15 @@ class Settings:
     @guess.setter
     def guess(self, value: NDArray[np.float64]) -> None: ...
 
+@final
+class Prepared:
+    def __init__(self, array: NDArray[Any], name: str, threads: int) -> None: ...
+    def describe(self) -> dict[str, Any]: ...
+
+_Cloud = NDArray[Any] | Prepared
+
 def register(
-    source: NDArray[Any], target: NDArray[Any], settings: Settings, callback: _Callback
+    source: _Cloud, target: _Cloud, settings: Settings, callback: _Callback
 ) -> dict[str, Any]: ...
 
 @final
@@ -34,9 +41,7 @@ class ArrayView:
 
 @final
 class Problem:
-    def __init__(
-        self, source: NDArray[Any], target: NDArray[Any], settings: Settings
-    ) -> None: ...
+    def __init__(self, source: _Cloud, target: _Cloud, settings: Settings) -> None: ...
     def solve(self, callback: _Callback) -> dict[str, Any]: ...
     def evaluate_alpha(
         self, dense: bool, particles: NDArray[np.float64], fitness: NDArray[np.float64]

@@ -14,6 +14,7 @@ include "settings.pxi"
 include "cloud.pxi"
 include "progress.pxi"
 include "outcome.pxi"
+include "prepared.pxi"
 include "problem.pxi"
 
 
@@ -35,14 +36,32 @@ def kernel_name():
 
 
 def register(source, target, Settings settings not None, callback):
-    """emtr_register: float32 or float64 arrays (n, 3), the fields of a result as a dict."""
-    cdef CloudBuffer a = CloudBuffer(source)
-    cdef CloudBuffer b = CloudBuffer(target)
+    """emtr_register: float32 or float64 arrays (n, 3), the fields of a result as a dict.
+
+    Either may be a Prepared, the other is then prepared on the way.
+    """
+    cdef CloudBuffer a
+    cdef CloudBuffer b
     cdef Watch watch = Watch(callback)
     cdef emtr_settings* chosen = &settings.values
     cdef emtr_result* result = NULL
     cdef emtr_status status
     cdef void* user = <void*>watch
+    if isinstance(source, Prepared) or isinstance(target, Prepared):
+        return register_prepared(prepared(source, "source", settings),
+                                 prepared(target, "target", settings), settings, watch)
+    a, b = CloudBuffer(source), CloudBuffer(target)
     with nogil:
         status = emtr_register(&a.cloud, &b.cloud, chosen, on_progress, user, &result)
+    return finish(status, watch, result)
+
+
+cdef dict register_prepared(Prepared source, Prepared target, Settings settings, Watch watch):
+    cdef emtr_settings* chosen = &settings.values
+    cdef emtr_result* result = NULL
+    cdef emtr_status status
+    cdef void* user = <void*>watch
+    with nogil:
+        status = emtr_register_prepared(source.prepared, target.prepared, chosen, on_progress,
+                                        user, &result)
     return finish(status, watch, result)

@@ -99,11 +99,32 @@ cdef extern from "emtr/emtr.h" nogil:
                               const emtr_settings* settings, emtr_progress_fn progress,
                               void* user, emtr_result** result)
 
+    ctypedef struct emtr_prepared:
+        pass
+
+    emtr_status emtr_prepare(const emtr_cloud* cloud, const char* name, int32_t threads,
+                             emtr_prepared** prepared)
+    void emtr_prepared_free(emtr_prepared* prepared)
+
+    ctypedef struct emtr_prepared_info:
+        size_t points, dropped, kept
+        double center[3]
+        double radius
+
+    emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info)
+    emtr_status emtr_register_prepared(const emtr_prepared* source, const emtr_prepared* target,
+                                       const emtr_settings* settings, emtr_progress_fn progress,
+                                       void* user, emtr_result** result)
+
     ctypedef struct emtr_problem:
         pass
 
     emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
                                     const emtr_settings* settings, emtr_problem** problem)
+    emtr_status emtr_problem_create_prepared(const emtr_prepared* source,
+                                             const emtr_prepared* target,
+                                             const emtr_settings* settings,
+                                             emtr_problem** problem)
     void emtr_problem_free(emtr_problem* problem)
     emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress, void* user,
                                    emtr_result** result)

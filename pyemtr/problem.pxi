@@ -15,15 +15,24 @@ cdef class Problem:
     cdef emtr_problem* problem
 
     def __init__(self, source, target, Settings settings not None):
-        cdef CloudBuffer a = CloudBuffer(source)
-        cdef CloudBuffer b = CloudBuffer(target)
+        cdef CloudBuffer a
+        cdef CloudBuffer b
+        cdef Prepared c
+        cdef Prepared d
         cdef emtr_settings* chosen = &settings.values
         cdef emtr_problem* made = NULL
         cdef emtr_status status
         if self.problem != NULL:
             raise RuntimeError("a problem is made once")
-        with nogil:
-            status = emtr_problem_create(&a.cloud, &b.cloud, chosen, &made)
+        if isinstance(source, Prepared) or isinstance(target, Prepared):
+            c = prepared(source, "source", settings)
+            d = prepared(target, "target", settings)
+            with nogil:
+                status = emtr_problem_create_prepared(c.prepared, d.prepared, chosen, &made)
+        else:
+            a, b = CloudBuffer(source), CloudBuffer(target)
+            with nogil:
+                status = emtr_problem_create(&a.cloud, &b.cloud, chosen, &made)
         check(status)
         self.problem = made
 

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _emtr
-from .arrays import Floats, as_particles, as_points, as_transformation, as_vector
+from .arrays import Floats, as_particles, as_transformation, as_vector
+from .cloud import as_cloud
 from .options import Value, make_settings, settings_used
 from .progress import Callback, as_raw_callback
 from .result import Result, make_result
@@ -32,7 +33,7 @@ class Problem(ProblemViews):
                  preset: str = "paper", guess: Any = None, **settings: Value) -> None:
         chosen = make_settings(seed, threads, preset, guess, settings)
         self.settings: dict[str, Any] = settings_used(chosen)
-        self._raw = _emtr.Problem(as_points(source, "source"), as_points(target, "target"), chosen)
+        self._raw = _emtr.Problem(as_cloud(source, "source"), as_cloud(target, "target"), chosen)
         self._lock = threading.Lock()
         self._holder: int | None = None
 

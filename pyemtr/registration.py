@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from . import _emtr
-from .arrays import as_points
+from .cloud import as_cloud
 from .options import Value, make_settings, settings_used
 from .progress import Callback, as_raw_callback
 from .result import Result, make_result
@@ -23,7 +23,8 @@ def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
         source: points (N, 3) in any unit: an array of any real dtype, byte order and strides,
             nested lists, or an object with ``.points`` (an Open3D cloud). float32 and float64
             rows are read in place, all else is copied once. Points with a NaN or an infinity
-            (or masked ones) are dropped and counted.
+            (or masked ones) are dropped and counted. A :class:`pyemtr.Cloud` spares the reading
+            of points that are registered more than once.
         target: likewise, (M, 3).
         seed: 0 <= seed < 2**64.
         threads: 0 for as many as OpenMP would use; the result does not depend on it.
@@ -48,6 +49,6 @@ def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
         RuntimeError: a defect of the library.
     """
     chosen = make_settings(seed, threads, preset, guess, settings)
-    raw = _emtr.register(as_points(source, "source"), as_points(target, "target"), chosen,
+    raw = _emtr.register(as_cloud(source, "source"), as_cloud(target, "target"), chosen,
                          as_raw_callback(callback))
     return make_result(raw, settings_used(chosen))

@@ -24,6 +24,10 @@ struct emtr_problem : emtr::Problem {
   emtr::ProblemArrays arrays{*this};
 };
 
+struct emtr_prepared {
+  emtr::PreparedCloudPtr cloud;
+};
+
 namespace {
 
 thread_local std::string last_error;
@@ -206,6 +210,52 @@ emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
     const emtr::Problem problem(required(source, "source"), required(target, "target"),
                                 settings_or_preset(settings), on_progress);
     *result = problem.solve(on_progress).release();
+  });
+}
+
+emtr_status emtr_prepare(const emtr_cloud* cloud, const char* name, int32_t threads,
+                         emtr_prepared** prepared) {
+  return guarded([&] {
+    required(prepared, "prepared") = nullptr;
+    emtr::Settings settings = emtr::preset("paper");
+    emtr::set(settings, "threads", threads);
+    *prepared = new emtr_prepared{std::make_shared<const emtr::PreparedCloud>(
+        required(cloud, "cloud"), name ? name : "", emtr::thread_count(settings))};
+  });
+}
+
+void emtr_prepared_free(emtr_prepared* prepared) { delete prepared; }
+
+emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info) {
+  return guarded([&] {
+    const emtr::PreparedCloud& cloud = *required(prepared, "prepared").cloud;
+    emtr_prepared_info& out = required(info, "info");
+    out.points = cloud.count;
+    out.dropped = cloud.dropped;
+    out.kept = cloud.base.size();
+    std::copy_n(cloud.center, 3, out.center);
+    out.radius = cloud.radius;
+  });
+}
+
+emtr_status emtr_register_prepared(const emtr_prepared* source, const emtr_prepared* target,
+                                   const emtr_settings* settings, emtr_progress_fn progress,
+                                   void* user, emtr_result** result) {
+  return guarded([&] {
+    required(result, "result") = nullptr;
+    const auto on_progress = progress_function(progress, user);
+    const emtr::Problem problem(required(source, "source").cloud, required(target, "target").cloud,
+                                settings_or_preset(settings), on_progress);
+    *result = problem.solve(on_progress).release();
+  });
+}
+
+emtr_status emtr_problem_create_prepared(const emtr_prepared* source, const emtr_prepared* target,
+                                         const emtr_settings* settings, emtr_problem** problem) {
+  return guarded([&] {
+    required(problem, "problem") = nullptr;
+    *problem = new emtr_problem(required(source, "source").cloud, required(target, "target").cloud,
+                                settings_or_preset(settings), nullptr);
   });
 }
 

@@ -28,21 +28,27 @@ Problem::Problem(const emtr_cloud& source, const emtr_cloud& target, const Setti
                  const OnProgress& on_progress)
     : settings(s), kernels(select_kernels()) {
   validate(settings);
-  prepare(source, target, on_progress);
+  prepare([&] { return normalise(source, target, thread_count(settings)); }, on_progress);
 }
 
-void Problem::prepare(const emtr_cloud& source, const emtr_cloud& target,
-                      const OnProgress& on_progress) {
+Problem::Problem(const PreparedCloudPtr& source, const PreparedCloudPtr& target, const Settings& s,
+                 const OnProgress& on_progress)
+    : settings(s), kernels(select_kernels()) {
+  validate(settings);
+  prepare([&] { return normalise(source, target); }, on_progress);
+}
+
+void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress) {
   Stopwatch watch;
   const auto stop = [&](const char* stage) { return stopped_ = on_progress && on_progress({stage, 0, 0, 0, 0}); };
 
   if (stop("frame")) return;
   watch.lap();
-  pair = normalise(source, target);
-  dropped_source = pair.dropped_source;
-  dropped_target = pair.dropped_target;
-  points_source = pair.source.size();
-  points_target = pair.target.size();
+  pair = normalised();
+  dropped_source = pair.prepared_source->dropped;
+  dropped_target = pair.prepared_target->dropped;
+  points_source = pair.prepared_source->count;
+  points_target = pair.prepared_target->count;
   seconds_.frame = watch.lap();
 
   if (stop("densities")) return;

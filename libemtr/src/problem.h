@@ -28,6 +28,9 @@ class Problem {
   /// stopped() holds and only solve() may be called, whose result says so.
   Problem(const emtr_cloud& source, const emtr_cloud& target, const Settings& settings,
           const OnProgress& on_progress);
+  /// The same bits, from clouds that were prepared before.
+  Problem(const PreparedCloudPtr& source, const PreparedCloudPtr& target, const Settings& settings,
+          const OnProgress& on_progress);
 
   bool stopped() const { return stopped_; }
 
@@ -52,7 +55,8 @@ class Problem {
   std::atomic<std::uint64_t> lookups{0};  ///< of calls from outside, stage by stage
 
  private:
-  void prepare(const emtr_cloud& source, const emtr_cloud& target, const OnProgress& on_progress);
+  using Normalise = std::function<NormalisedPair()>;
+  void prepare(const Normalise& normalised, const OnProgress& on_progress);
   void match_features();
   void make_tasks();
   void find_seeds();

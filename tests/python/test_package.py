@@ -23,7 +23,7 @@ def test_all_public_names_are_there_and_documented():
     for name in pyemtr.__all__:
         thing = getattr(pyemtr, name)
         assert name == "__version__" or thing.__doc__
-    for thing in (pyemtr.Problem, pyemtr.Result, pyemtr.TaskAlpha, pyemtr.TaskBeta):
+    for thing in (pyemtr.Cloud, pyemtr.Problem, pyemtr.Result, pyemtr.TaskAlpha, pyemtr.TaskBeta):
         for name, member in vars(thing).items():
             if not name.startswith("_") and (callable(member) or isinstance(member, property)):
                 assert member.__doc__, f"{thing.__name__}.{name}"

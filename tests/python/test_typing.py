@@ -37,8 +37,8 @@ def test_a_typed_program_passes(tmp_path):
 
 
 def test_the_package_itself_passes(tmp_path):
-    modules = [f"pyemtr.{name}" for name in ("arrays", "options", "problem", "progress", "views",
-                                             "registration", "result", "tasks", "_emtr")]
+    modules = [f"pyemtr.{name}" for name in ("arrays", "cloud", "options", "problem", "progress",
+                                             "views", "registration", "result", "tasks", "_emtr")]
     done = strict(tmp_path, "-m", "pyemtr", *[part for name in modules for part in ("-m", name)])
     assert done.returncode == 0, done.stdout
 
@@ -53,6 +53,8 @@ MISUSE = [
     "pyemtr.Problem(a, a).source_dense.bogus",
     "pyemtr.TaskAlpha(a, a, stage=1)",
     "pyemtr.settings()['seed'].nothing",
+    "pyemtr.Cloud(a, 2)",
+    "pyemtr.Cloud(a).points",
 ]
 
 

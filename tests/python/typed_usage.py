@@ -38,6 +38,12 @@ def stage_by_stage(source: list[list[float]], target: NDArray[np.int16]) -> pyem
     return problem.solve(callback=watch)
 
 
+def one_against_many(model: NDArray[np.float32], scans: list[NDArray[np.float32]]) -> list[float]:
+    cloud = pyemtr.Cloud(model, threads=2)
+    print(len(cloud), cloud.dropped + 1, cloud.radius / 2, cloud.center.sum())
+    return [pyemtr.register(scan, cloud).fitness for scan in scans]
+
+
 def describe() -> str:
     lines = [f"{name}: {setting.text} [{setting.minimum}, {setting.maximum}] {setting.default}"
              for name, setting in pyemtr.settings().items()]

@@ -330,6 +330,37 @@ EMTR_API emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* t
                                    const emtr_settings* settings, emtr_progress_fn progress,
                                    void* user, emtr_result** result);
 
+/* ---- one cloud, many partners ------------------------------------------------------- */
+
+/* A cloud read, measured and, when it is large, thinned: what does not depend on its partner. It
+ * never changes: many registrations may use one at the same time, as source and as target. */
+typedef struct emtr_prepared emtr_prepared;
+
+/* Keeps nothing of the caller's memory. `name` is put before " cloud" in error messages, null for
+ * none; `threads` as in the settings, without influence on the result. On an error *prepared is
+ * set to null. */
+EMTR_API emtr_status emtr_prepare(const emtr_cloud* cloud, const char* name, int32_t threads,
+                                  emtr_prepared** prepared);
+EMTR_API void emtr_prepared_free(emtr_prepared* prepared);
+
+typedef struct emtr_prepared_info {
+  size_t points;    /* finite */
+  size_t dropped;   /* with NaN or infinity */
+  size_t kept;      /* points left by the thinning of a large cloud, else as many as `points` */
+  double center[3]; /* centroid, user's unit */
+  double radius;    /* largest distance from it, user's unit */
+} emtr_prepared_info;
+
+EMTR_API emtr_status emtr_prepared_describe(const emtr_prepared* prepared,
+                                            emtr_prepared_info* info);
+
+/* As emtr_register(), to the same bits. `seconds_frame` is without the preparation. */
+EMTR_API emtr_status emtr_register_prepared(const emtr_prepared* source,
+                                            const emtr_prepared* target,
+                                            const emtr_settings* settings,
+                                            emtr_progress_fn progress, void* user,
+                                            emtr_result** result);
+
 /* ---- stage by stage ----------------------------------------------------------------- */
 
 /* A pair of clouds made ready: normalised, thinned, described, matched. For those who
@@ -341,6 +372,11 @@ typedef struct emtr_problem emtr_problem;
 /* Keeps nothing of the caller's memory. On an error *problem is set to null. */
 EMTR_API emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
                                          const emtr_settings* settings, emtr_problem** problem);
+/* Of prepared clouds, which may be freed before the problem. */
+EMTR_API emtr_status emtr_problem_create_prepared(const emtr_prepared* source,
+                                                  const emtr_prepared* target,
+                                                  const emtr_settings* settings,
+                                                  emtr_problem** problem);
 EMTR_API void emtr_problem_free(emtr_problem* problem);
 
 /* The evolution and the verdict on a problem; the timings count its making too. */

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "../cloud.h"
 
 namespace emtr {
 
-/// Mean distance of a point to its nearest other point.
-double mean_resolution(const Cloud& cloud);
+/// Mean distance of a point to its nearest other point; over every k-th point only, with the k that
+/// asks for `most` points or a few more.
+double mean_resolution(const Cloud& cloud, std::size_t most = SIZE_MAX);
 
 }  // namespace emtr

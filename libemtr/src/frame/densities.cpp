@@ -6,29 +6,44 @@
 #include <string>
 
 #include "../error.h"
-#include "../features/resolution.h"
+#include "../features/voxel_counter.h"
 #include "../features/voxel_grid.h"
+#include "parallel.h"
 
 namespace emtr {
 namespace {
 
 constexpr double kFinestLeaf = 2e-3, kCoarsestLeaf = 1.0;
 
-/// The leaf whose count of points comes nearest to `wanted`, between two bounds. The count falls
-/// with the leaf but for jitter, so the best leaf met on the way is kept.
-double find_leaf(const std::function<std::size_t(float)>& count, double wanted, double finest) {
+/// The leaf whose count of points comes nearest to `wanted`, between two bounds, from a first
+/// guess. The count falls with the leaf but for jitter, so the best leaf met on the way is kept.
+double find_leaf(const std::function<std::size_t(float)>& count, double wanted, double finest,
+                 double guess) {
   double low = std::log(finest), high = std::log(kCoarsestLeaf);
-  double best = finest, best_error = HUGE_VAL;
+  double x = std::clamp(std::log(guess), low, high);
+  double slope = -2;  // of log count over log leaf: what a surface has
+  double best = finest, best_error = HUGE_VAL, last_x = 0, last_y = 0;
+  bool finest_is_too_fine = false;
   for (int step = 0; step < 24; ++step) {
-    const double middle = (low + high) / 2;
-    const double n = static_cast<double>(count(static_cast<float>(std::exp(middle))));
-    const double error = std::abs(n - wanted);
+    const double n = static_cast<double>(count(static_cast<float>(std::exp(x))));
+    const double y = std::log(n), error = std::abs(n - wanted);
     if (error < best_error) {
       best_error = error;
-      best = std::exp(middle);
+      best = std::exp(x);
     }
-    if (error <= 0.002 * wanted) break;
-    (n > wanted ? low : high) = middle;
+    if (error <= 0.005 * wanted) break;
+    if (n < wanted && x == low && !finest_is_too_fine) break;  // finer is not to be had
+    finest_is_too_fine |= n > wanted;
+    (n > wanted ? low : high) = x;
+    const double secant = step ? (y - last_y) / (x - last_x) : slope;
+    if (secant > -4 && secant < -0.5) slope = secant;
+    last_x = x;
+    last_y = y;
+    x += (std::log(wanted) - y) / slope;
+    if (x <= low && !finest_is_too_fine)
+      x = low;
+    else if (!(x > low && x < high))
+      x = (low + high) / 2;
   }
   return best;
 }
@@ -38,8 +53,11 @@ double find_leaf(const std::function<std::size_t(float)>& count, double wanted, 
 double finest_leaf(const NormalisedPair& pair, const Settings& settings) {
   const auto points = pair.source.size() + pair.target.size();
   if (points > 4 * static_cast<std::size_t>(settings.dense_points)) return kFinestLeaf;
-  const double spacing = std::max(mean_resolution(pair.source), mean_resolution(pair.target));
-  return std::clamp(settings.minimum_leaf_spacing * spacing, kFinestLeaf, kCoarsestLeaf / 2);
+  const auto spacing = [&](const PreparedCloud& cloud) {
+    return cloud.spacing() * (cloud.radius / pair.frame.scale);
+  };
+  const double wider = std::max(spacing(*pair.prepared_source), spacing(*pair.prepared_target));
+  return std::clamp(settings.minimum_leaf_spacing * wider, kFinestLeaf, kCoarsestLeaf / 2);
 }
 
 /// One leaf serves both clouds, so a cloud much smaller than the other can vanish in a few voxels.
@@ -57,12 +75,27 @@ void require_some_left(const Cloud& cloud, const char* name, double leaf, double
 
 Densities thin(const NormalisedPair& pair, const Settings& settings) {
   Densities out;
+  // Both clouds at once where that is worth waking a thread for.
+  const bool large = pair.source.size() + pair.target.size() > 200000;
+  const int threads = large ? std::min(2, thread_count(settings)) : 1;
+  const Cloud* const clouds[2] = {&pair.source, &pair.target};
+  VoxelCounter counters[2] = {VoxelCounter(pair.source), VoxelCounter(pair.target)};
   const auto dense_count = [&](float leaf) {
-    return count_voxels(pair.source, leaf) + count_voxels(pair.target, leaf);
+    std::size_t n[2];
+    in_parallel(2, threads, [&](std::size_t i) { n[i] = counters[i](leaf); });
+    return n[0] + n[1];
   };
-  out.leaf_dense = find_leaf(dense_count, settings.dense_points, finest_leaf(pair, settings));
-  out.source_dense = voxel_grid(pair.source, static_cast<float>(out.leaf_dense));
-  out.target_dense = voxel_grid(pair.target, static_cast<float>(out.leaf_dense));
+  const auto thin_both = [&](double leaf, Cloud& source, Cloud& target) {
+    Cloud* const thinned[2] = {&source, &target};
+    in_parallel(2, threads, [&](std::size_t i) {
+      *thinned[i] = voxel_grid(*clouds[i], static_cast<float>(leaf));
+    });
+  };
+
+  // Two half balls of radius 1 have a surface of some 10.
+  out.leaf_dense = find_leaf(dense_count, settings.dense_points, finest_leaf(pair, settings),
+                             std::sqrt(10.0 / settings.dense_points));
+  thin_both(out.leaf_dense, out.source_dense, out.target_dense);
 
   require_some_left(out.source_dense, "source", out.leaf_dense, pair.frame.scale);
   require_some_left(out.target_dense, "target", out.leaf_dense, pair.frame.scale);
@@ -71,10 +104,10 @@ Densities thin(const NormalisedPair& pair, const Settings& settings) {
   // paper's saving rests.
   const double dense = static_cast<double>(out.source_dense.size() + out.target_dense.size());
   const double sparse = settings.sparse_points * std::min(1.0, dense / settings.dense_points);
-  const auto sparse_count = [&](float leaf) { return count_voxels(pair.source, leaf); };
-  out.leaf_sparse = find_leaf(sparse_count, sparse, out.leaf_dense);
-  out.source_sparse = voxel_grid(pair.source, static_cast<float>(out.leaf_sparse));
-  out.target_sparse = voxel_grid(pair.target, static_cast<float>(out.leaf_sparse));
+  const double source_dense = static_cast<double>(out.source_dense.size());
+  out.leaf_sparse = find_leaf([&](float leaf) { return counters[0](leaf); }, sparse, out.leaf_dense,
+                              out.leaf_dense * std::sqrt(source_dense / sparse));
+  thin_both(out.leaf_sparse, out.source_sparse, out.target_sparse);
   return out;
 }
 

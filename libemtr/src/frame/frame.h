@@ -2,10 +2,9 @@
 
 #include <emtr/emtr.h>
 
-#include <cstddef>
-
 #include "../cloud.h"
 #include "../rigid.h"
+#include "prepared_cloud.h"
 
 namespace emtr {
 
@@ -21,15 +20,16 @@ struct Frame {
   Rigid to_normalised(const Rigid& pose) const;
 };
 
-/// Both clouds in that frame. Points with a NaN or an infinity are gone, and counted.
+/// Both clouds in that frame, and what they were made from.
 struct NormalisedPair {
   Frame frame;
-  Cloud source, target;
-  std::size_t dropped_source = 0, dropped_target = 0;
+  Cloud source, target;  ///< the base points; those of the larger cloud unchanged
+  PreparedCloudPtr prepared_source, prepared_target;
 };
 
-/// In double throughout, and float only at the end, so that large offsets cost no digits.
-/// Throws Error when a cloud has fewer than 10 finite points, or all on one point or line.
-NormalisedPair normalise(const emtr_cloud& source, const emtr_cloud& target);
+NormalisedPair normalise(PreparedCloudPtr source, PreparedCloudPtr target);
+
+/// Prepares the two clouds, named source and target, one after the other.
+NormalisedPair normalise(const emtr_cloud& source, const emtr_cloud& target, int threads);
 
 }  // namespace emtr

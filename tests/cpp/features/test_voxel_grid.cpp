@@ -5,12 +5,6 @@
 
 namespace {
 
-TEST(VoxelGrid, CountsWhatPclWouldReturn) {
-  const emtr::Cloud cloud = emtr_test::uniform_cloud(5000, 3);
-  for (const float leaf : {0.004f, 0.013f, 0.05f, 0.2f, 0.9f, 3.0f})
-    EXPECT_EQ(emtr::count_voxels(cloud, leaf), emtr::voxel_grid(cloud, leaf).size()) << leaf;
-}
-
 TEST(VoxelGrid, PutsTheCentroidInEachCube) {
   emtr::Cloud cloud;
   emtr_test::push(cloud, 0.1f, 0.1f, 0.1f);

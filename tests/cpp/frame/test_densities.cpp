@@ -19,7 +19,7 @@ emtr::Densities thinned(std::size_t points, const char* setting = "seed", double
   const emtr_test::Pair pair(1, points);
   emtr::Settings settings = emtr::preset("paper");
   emtr::set(settings, setting, value);
-  return emtr::thin(emtr::normalise(pair.source(), pair.target()), settings);
+  return emtr::thin(emtr::normalise(pair.source(), pair.target(), 1), settings);
 }
 
 TEST(Densities, MeetTheCountsWhateverTheSizeOfTheInput) {
@@ -39,7 +39,7 @@ TEST(Densities, FollowTheSettings) {
 
 TEST(Densities, KeepTheLeafAboveTheSpacingOfSmallClouds) {
   const emtr_test::Pair pair(2, 1024);
-  const auto normalised = emtr::normalise(pair.source(), pair.target());
+  const auto normalised = emtr::normalise(pair.source(), pair.target(), 1);
   const auto d = emtr::thin(normalised, emtr::preset("paper"));
   const double spacing =
       std::max(emtr::mean_resolution(normalised.source), emtr::mean_resolution(normalised.target));
@@ -51,7 +51,7 @@ TEST(Densities, KeepTheLeafAboveTheSpacingOfSmallClouds) {
 TEST(Densities, NameACloudThatVanishesBesideTheOther) {
   const emtr_test::Pair small(3, 2000, 1e-4), large(3, 2000, 1);
   try {
-    emtr::thin(emtr::normalise(small.source(), large.target()), emtr::preset("paper"));
+    emtr::thin(emtr::normalise(small.source(), large.target(), 1), emtr::preset("paper"));
     FAIL() << "no error";
   } catch (const emtr::Error& error) {
     EXPECT_EQ(error.status(), EMTR_ERROR_CLOUD);

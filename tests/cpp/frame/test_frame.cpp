@@ -30,7 +30,7 @@ Points ellipsoid(double unit, const Eigen::Vector3d& offset) {
 
 emtr::Error error_of(const Points& source, const Points& target) {
   try {
-    emtr::normalise(view(source), view(target));
+    emtr::normalise(view(source), view(target), 1);
   } catch (const emtr::Error& error) {
     return error;
   }
@@ -38,7 +38,8 @@ emtr::Error error_of(const Points& source, const Points& target) {
 }
 
 TEST(Frame, CentresBothAndScalesByTheLargerRadius) {
-  const auto pair = emtr::normalise(view(ellipsoid(3, {1, 2, 3})), view(ellipsoid(5, {0, 0, 9})));
+  const auto pair =
+      emtr::normalise(view(ellipsoid(3, {1, 2, 3})), view(ellipsoid(5, {0, 0, 9})), 1);
   double largest = 0, mean = 0;
   for (std::size_t i = 0; i < pair.target.size(); ++i) {
     largest = std::max(largest, std::hypot(double{pair.target.x[i]}, double{pair.target.y[i]},
@@ -51,10 +52,11 @@ TEST(Frame, CentresBothAndScalesByTheLargerRadius) {
 }
 
 TEST(Frame, KeepsItsDigitsFarFromTheOriginAndInEveryUnit) {
-  const auto near = emtr::normalise(view(ellipsoid(1, {0, 0, 0})), view(ellipsoid(1, {0, 0, 0})));
+  const auto near =
+      emtr::normalise(view(ellipsoid(1, {0, 0, 0})), view(ellipsoid(1, {0, 0, 0})), 1);
   for (const double unit : {1e-3, 1.0, 1e3}) {
     const Points far = ellipsoid(unit, Eigen::Vector3d(5e5, 4e6, 100) * unit);
-    const auto moved = emtr::normalise(view(far), view(far));
+    const auto moved = emtr::normalise(view(far), view(far), 1);
     for (std::size_t i = 0; i < near.source.size(); ++i)
       EXPECT_NEAR(moved.source.x[i], near.source.x[i], 1e-6);
   }
@@ -84,9 +86,9 @@ TEST(Frame, DropsAndCountsWhatIsNotFinite) {
   const Points target = source;
   source[3].x() = std::numeric_limits<double>::quiet_NaN();
   source[9].z() = std::numeric_limits<double>::infinity();
-  const auto pair = emtr::normalise(view(source), view(target));
-  EXPECT_EQ(pair.dropped_source, 2u);
-  EXPECT_EQ(pair.dropped_target, 0u);
+  const auto pair = emtr::normalise(view(source), view(target), 1);
+  EXPECT_EQ(pair.prepared_source->dropped, 2u);
+  EXPECT_EQ(pair.prepared_target->dropped, 0u);
   EXPECT_EQ(pair.source.size(), 198u);
 }
 
@@ -98,7 +100,7 @@ TEST(Frame, ReadsFloatsAtAnyStrideAndAlignment) {
     std::memcpy(&bytes[29 * i + 1], p.data(), 12);
   }
   const emtr_cloud odd{&bytes[1], points.size(), 29, EMTR_FLOAT32};
-  const auto pair = emtr::normalise(odd, view(points));
+  const auto pair = emtr::normalise(odd, view(points), 1);
   for (std::size_t i = 0; i < points.size(); ++i)
     EXPECT_NEAR(pair.source.y[i], pair.target.y[i], 1e-6);
 }
@@ -128,7 +130,7 @@ TEST(Frame, RefusesViewsThatCannotBeRead) {
   const Points good = ellipsoid(1, {0, 0, 0});
   const auto status = [&](emtr_cloud bad) {
     try {
-      emtr::normalise(view(good), bad);
+      emtr::normalise(view(good), bad, 1);
     } catch (const emtr::Error& error) {
       return error.status();
     }

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <exception>
+
+namespace emtr {
+
+/// Runs job(i) once for each i < n, on up to `threads` threads, and throws on what a job threw.
+/// Jobs that keep their results by i make a whole that does not depend on the threads.
+template <class Job>
+void in_parallel(std::size_t n, int threads, const Job& job) {
+  std::exception_ptr failure;
+#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1 && n > 1)
+  for (std::size_t i = 0; i < n; ++i) {
+    try {
+      job(i);
+    } catch (...) {  // must not leave the region
+#pragma omp critical(emtr_in_parallel)
+      failure = std::current_exception();
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace emtr

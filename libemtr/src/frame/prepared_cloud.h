@@ -1,0 +1,40 @@
+#pragma once
+
+#include <emtr/emtr.h>
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "../cloud.h"
+
+namespace emtr {
+
+/// What is known of one cloud before it meets a partner, so that it can be kept for many of them.
+/// Does not change, so threads may share it.
+class PreparedCloud {
+ public:
+  /// Reads the caller's memory in passes and keeps nothing of it. Errors begin with `name`, or
+  /// with "cloud" when it is empty. Throws Error when the cloud cannot be registered.
+  PreparedCloud(const emtr_cloud& cloud, const std::string& name, int threads);
+
+  std::size_t count = 0;    ///< finite points
+  std::size_t dropped = 0;  ///< points with a NaN or an infinity
+  double center[3] = {};    ///< centroid, the user's unit
+  double radius = 0;        ///< largest distance from it, the user's unit
+  /// (p - center) / radius: all finite points, or, of a large cloud, their centroids in cubes far
+  /// smaller than any that the densities come down to.
+  Cloud base;
+
+  /// Mean distance of a base point to its nearest other; made when first asked for.
+  double spacing() const;
+
+ private:
+  mutable std::once_flag spacing_once_;
+  mutable double spacing_ = 0;
+};
+
+using PreparedCloudPtr = std::shared_ptr<const PreparedCloud>;
+
+}  // namespace emtr

@@ -1,0 +1,35 @@
+# emtr_prepared: one cloud for many partners.
+
+@cython.final
+cdef class Prepared:
+    """Owns an emtr_prepared, which never changes: any number of threads may use it."""
+    cdef emtr_prepared* prepared
+
+    def __init__(self, array, str name not None, int threads):
+        cdef CloudBuffer buffer = CloudBuffer(array)
+        cdef bytes text = name.encode()
+        cdef const char* letters = text
+        cdef emtr_prepared* made = NULL
+        cdef emtr_status status
+        if self.prepared != NULL:
+            raise RuntimeError("a cloud is prepared once")
+        with nogil:
+            status = emtr_prepare(&buffer.cloud, letters, threads, &made)
+        check(status)
+        self.prepared = made
+
+    def __dealloc__(self):
+        emtr_prepared_free(self.prepared)
+
+    def describe(self):
+        cdef emtr_prepared_info info
+        check(emtr_prepared_describe(self.prepared, &info))
+        return {"points": info.points, "dropped": info.dropped, "kept": info.kept,
+                "center": listed(info.center, 3), "radius": info.radius}
+
+
+cdef Prepared prepared(cloud, str name, Settings settings):
+    """A prepared cloud as it is, an array prepared now."""
+    if isinstance(cloud, Prepared):
+        return cloud
+    return Prepared(cloud, name, <int>settings.get("threads"))

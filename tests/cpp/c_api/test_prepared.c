@@ -1,0 +1,122 @@
+/* One cloud prepared once and met by many: the same bits as without. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "bumpy_pair.h"
+#include "check.h"
+
+static void same(const emtr_result* a, const emtr_result* b) {
+  CHECK(memcmp(a->transformation, b->transformation, sizeof a->transformation) == 0);
+  CHECK(a->fitness == b->fitness && a->mode_gap == b->mode_gap);
+  CHECK(a->leaf_dense == b->leaf_dense && a->leaf_sparse == b->leaf_sparse);
+  CHECK(a->lookups_evaluation == b->lookups_evaluation);
+  CHECK(a->points_source == b->points_source && a->dropped_source == b->dropped_source);
+  CHECK(a->points_target == b->points_target && a->dropped_target == b->dropped_target);
+  CHECK(a->scale == b->scale);
+}
+
+static emtr_cloud cloud_of(const float* points, size_t count) {
+  emtr_cloud cloud = {NULL, 0, 0, EMTR_FLOAT32};
+  cloud.points = points;
+  cloud.count = count;
+  return cloud;
+}
+
+static void one_against_many(void) {
+  bumpy_pair pair, other;
+  emtr_cloud source, target, third;
+  emtr_prepared *a = NULL, *b = NULL, *c = NULL;
+  emtr_prepared_info info;
+  emtr_problem* problem = NULL;
+  emtr_result *plain[3] = {NULL, NULL, NULL}, *reused[3] = {NULL, NULL, NULL}, *solved = NULL;
+  size_t i;
+  if (bumpy_pair_make(&pair, 2, 4000, 1.0) || bumpy_pair_make(&other, 2, 3000, 2.5)) exit(1);
+  pair.source[7] = NAN;
+  source = cloud_of(pair.source, pair.count);
+  target = cloud_of(pair.target, pair.count);
+  third = cloud_of(other.source, other.count);
+  CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &plain[0]));
+  CHECK_OK(emtr_register(&third, &target, NULL, NULL, NULL, &plain[1]));
+  CHECK_OK(emtr_register(&target, &source, NULL, NULL, NULL, &plain[2]));
+
+  CHECK_OK(emtr_prepare(&source, "source", 1, &a));
+  CHECK_OK(emtr_prepare(&target, NULL, 0, &b));
+  CHECK_OK(emtr_prepare(&third, NULL, 2, &c));
+  CHECK_OK(emtr_prepared_describe(a, &info));
+  CHECK(info.points == 3999 && info.dropped == 1 && info.kept == 3999);
+  CHECK(info.radius == plain[0]->scale || info.radius < plain[0]->scale);
+  CHECK(memcmp(info.center, plain[0]->center_source, sizeof info.center) == 0);
+  /* nothing of the caller's memory is kept */
+  for (i = 0; i < 3 * pair.count; ++i) pair.target[i] = pair.source[i] = 0;
+  CHECK_OK(emtr_register_prepared(a, b, NULL, NULL, NULL, &reused[0]));
+  CHECK_OK(emtr_register_prepared(c, b, NULL, NULL, NULL, &reused[1]));
+  CHECK_OK(emtr_register_prepared(b, a, NULL, NULL, NULL, &reused[2]));
+  for (i = 0; i < 3; ++i) {
+    if (!plain[i] || !reused[i]) exit(1);
+    same(plain[i], reused[i]);
+    emtr_result_free(reused[i]);
+  }
+
+  CHECK_OK(emtr_problem_create_prepared(a, b, NULL, &problem));
+  emtr_prepared_free(a);
+  emtr_prepared_free(b);
+  emtr_prepared_free(c);
+  emtr_prepared_free(NULL);
+  CHECK_OK(emtr_problem_solve(problem, NULL, NULL, &solved));
+  if (!solved) exit(1);
+  same(plain[0], solved);
+  emtr_problem_free(problem);
+  emtr_result_free(solved);
+  for (i = 0; i < 3; ++i) emtr_result_free(plain[i]);
+  bumpy_pair_free(&pair);
+  bumpy_pair_free(&other);
+}
+
+static int stop(const emtr_progress* progress, void* user) {
+  return strcmp(progress->stage, (const char*)user) == 0;
+}
+
+static void wrong_calls(void) {
+  static const float few[27];
+  bumpy_pair pair;
+  emtr_cloud cloud, bad = cloud_of(few, 9);
+  emtr_prepared *good = NULL, *none = NULL;
+  emtr_prepared_info info;
+  emtr_problem* problem = NULL;
+  emtr_result* result = NULL;
+  emtr_settings settings;
+  char stage[] = "frame";
+  if (bumpy_pair_make(&pair, 3, 1000, 1.0)) exit(1);
+  cloud = cloud_of(pair.source, pair.count);
+  CHECK_OK(emtr_prepare(&cloud, NULL, 0, &good));
+  none = good;
+  CHECK_ERROR(emtr_prepare(&bad, "model", 0, &none), EMTR_ERROR_CLOUD, "model cloud: 9 finite");
+  CHECK(none == NULL);
+  CHECK_ERROR(emtr_prepare(NULL, NULL, 0, &none), EMTR_ERROR_ARGUMENT, "cloud is null");
+  CHECK_ERROR(emtr_prepare(&cloud, NULL, 0, NULL), EMTR_ERROR_ARGUMENT, "prepared is null");
+  CHECK_ERROR(emtr_prepare(&cloud, NULL, -1, &none), EMTR_ERROR_SETTING, "threads");
+  CHECK_ERROR(emtr_prepared_describe(NULL, &info), EMTR_ERROR_ARGUMENT, "prepared is null");
+  CHECK_ERROR(emtr_prepared_describe(good, NULL), EMTR_ERROR_ARGUMENT, "info is null");
+  CHECK_ERROR(emtr_register_prepared(NULL, good, NULL, NULL, NULL, &result), EMTR_ERROR_ARGUMENT,
+              "source is null");
+  CHECK_ERROR(emtr_register_prepared(good, NULL, NULL, NULL, NULL, &result), EMTR_ERROR_ARGUMENT,
+              "target is null");
+  CHECK_ERROR(emtr_register_prepared(good, good, NULL, NULL, NULL, NULL), EMTR_ERROR_ARGUMENT,
+              "result is null");
+  CHECK_OK(emtr_settings_init(&settings, sizeof settings, NULL));
+  settings.population = 1;
+  CHECK_ERROR(emtr_problem_create_prepared(good, good, &settings, &problem), EMTR_ERROR_SETTING,
+              "population");
+  CHECK(problem == NULL);
+  CHECK_OK(emtr_register_prepared(good, good, NULL, stop, stage, &result));
+  CHECK(result && result->reason == EMTR_REASON_INTERRUPTED);
+  emtr_result_free(result);
+  emtr_prepared_free(good);
+  bumpy_pair_free(&pair);
+}
+
+int main(void) {
+  one_against_many();
+  wrong_calls();
+  return check_result();
+}
