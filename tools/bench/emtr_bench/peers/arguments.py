@@ -37,7 +37,8 @@ def parser() -> argparse.ArgumentParser:
     add("--transforms", type=positive, default=4, metavar="N", help="motions a pair (default: 4)")
     add("--presets", nargs="+", metavar="NAME", help="of emtr (default: all that there are)")
     add("--only", nargs="+", default=[], metavar="METHOD",
-        help="these methods: a row's name, or emtr, open3d-ransac, open3d-fgr, kiss-matcher")  # fmt: skip
+        help="these methods: a row's name, or emtr, open3d-ransac, open3d-fgr, "
+        "kiss-matcher")  # fmt: skip
     add("--threads", type=positive, default=2, help="of every method (default: 2)")
     add("--limit", type=positive, default=60, metavar="SECONDS", help="a run (default: 60)")
     add("--seed", type=natural, default=0, help="run i of a pair has seed SEED + i (default: 0)")
@@ -49,5 +50,6 @@ def parser() -> argparse.ArgumentParser:
     add("--venv", type=Path, metavar="DIR", help="where the other libraries are installed "
         "(default: build/venv-peers)")  # fmt: skip
     add("--smoke", action="store_true",
-        help="one motion of the generated pair; installs nothing, and leaves out what is missing")  # fmt: skip
+        help="one motion of the generated pair; installs nothing, and leaves out what is "
+        "missing")  # fmt: skip
     return made

@@ -106,9 +106,7 @@ def _emtr(preset: str) -> Search:
     import pyemtr
 
     def register(source: Array, target: Array, task: Task) -> Array:
-        found = pyemtr.register(
-            source, target, preset=preset, seed=task.seed, threads=task.threads
-        )
+        found = pyemtr.register(source, target, preset=preset, seed=task.seed, threads=task.threads)
         return np.asarray(found.transformation)
 
     return register

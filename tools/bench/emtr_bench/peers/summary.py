@@ -54,11 +54,8 @@ def ratios(runs: list[PeerRun]) -> list[Ratio]:
     found = []
     for ours in (name for name in names(runs) if name.startswith(OURS)):
         for peer in (name for name in names(runs) if not name.startswith(OURS)):
-            both = [
-                seconds[ours, *case] / seconds[peer, *case]
-                for case in cases
-                if (ours, *case) in seconds and (peer, *case) in seconds
-            ]
+            pairs = [(seconds.get((ours, *c)), seconds.get((peer, *c))) for c in cases]
+            both = [a / b for a, b in pairs if a is not None and b is not None]
             found.append(Ratio(ours, peer, len(both), quartiles(both)))
     return found
 

@@ -36,7 +36,8 @@ def parser() -> argparse.ArgumentParser:
     add("--tolerance", type=_share, default=0.03, metavar="SHARE",
         help="how much slower is still well (default: 0.03)")  # fmt: skip
     add("--only", nargs="+", default=[], choices=[program.name for program in PROGRAMS],
-        metavar="PROGRAM", help="of " + ", ".join(program.name for program in PROGRAMS))  # fmt: skip
+        metavar="PROGRAM",
+        help="of " + ", ".join(program.name for program in PROGRAMS))  # fmt: skip
     add("--record", type=Path, default=FILE, metavar="FILE", help="the recorded counts "
         "(default: tools/bench/regress.json)")  # fmt: skip
     add("--json", type=Path, metavar="FILE", help="write the counts of this run to FILE")

@@ -75,9 +75,8 @@ def short_name(function: str) -> str:
 
 
 def _run(command: list[str], program: Program) -> str:
-    done = subprocess.run(
-        command, env=program.environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
+    environment = program.environment()
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
     # 3: the command doubts its result. It has done the whole work all the same.
     if done.returncode not in (0, 3):
         raise RegressFailure(

@@ -23,16 +23,15 @@ def regress(arguments: argparse.Namespace) -> int:
             sample = Path(scratch)
             make_sample(sample)
             if len(arguments.build) == 2:
-                return _compare_builds(*arguments.build, sample, arguments)
+                before, after = arguments.build
+                return _compare_builds(before, after, sample, arguments)
             return _compare_with_record(arguments.build[0], sample, arguments)
     except (RegressFailure, OSError) as failure:
         print(f"regress: {failure}", file=sys.stderr)
         return 2
 
 
-def _compare_builds(
-    before: Path, after: Path, sample: Path, arguments: argparse.Namespace
-) -> int:
+def _compare_builds(before: Path, after: Path, sample: Path, arguments: argparse.Namespace) -> int:
     old, new = toolchain(before), toolchain(after)
     for difference in differences(old, new):
         print(f"note: made differently: {difference}")
