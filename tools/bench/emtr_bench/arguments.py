@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from .runner import Setting
+if TYPE_CHECKING:  # the command line is read before it is known that numpy is there
+    from .runner import Setting
 
 EPILOG = """examples:
   accuracy --preset paper --tier paper            the paper's rows, 20 transforms each

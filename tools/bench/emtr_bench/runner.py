@@ -101,6 +101,14 @@ def moved(pair: Pair, index: int) -> Moved:
     return Moved(protocol.apply(motion.matrix, aligned), clouds.target, motion, scale)
 
 
+def pose_errors(case: Moved, T: Array) -> tuple[float, float]:
+    """E_R in degrees and E_t in the normalised frame of a pose (4, 4), source into target.
+    Raises ValueError when it is not rigid."""
+    T_true = case.motion.T_true
+    center = case.source.mean(axis=0)
+    return rotation_error(T, T_true), translation_error(T, T_true, center, case.scale)
+
+
 def run(pair: Pair, index: int, register: Register, options: Options) -> Run:
     """One registration. An exception of the register function becomes a run with `error`,
     so that one crash does not lose the others; it is reported and fails the benchmark."""
@@ -114,11 +122,9 @@ def run(pair: Pair, index: int, register: Register, options: Options) -> Run:
     except Exception:
         error = traceback.format_exc()
     wall = time.perf_counter() - start
-    T_true = case.motion.T_true
     if outcome is not None and np.isfinite(outcome.transformation).all():
-        rotation = rotation_error(outcome.transformation, T_true)
-        center = case.source.mean(axis=0)
-        translation = translation_error(outcome.transformation, T_true, center, case.scale)
+        rotation, translation = pose_errors(case, outcome.transformation)
+    T_true = case.motion.T_true
     return Run(
         pair, index, case.motion.kind, seed, T_true, wall, outcome, rotation, translation, error
     )

@@ -9,27 +9,32 @@ from pathlib import Path
 import numpy as np
 from plyfile import PlyData, PlyElement
 
-from .pairs import REPOSITORY, DataError, Pair
+from .pairs import REPOSITORY, Array, DataError, Pair
 
 TOOLS = REPOSITORY / "tools"
 
 
 def sample_pair(folder: Path) -> Pair:
     """Makes the pair in `folder` and gives it the layout of the test data."""
+    clouds = sample_clouds(folder)
+    for name, cloud in zip(("source", "target"), clouds):
+        write_ply(folder / f"{name}.ply", cloud)
+    (folder / "T_true.txt").rename(folder / "T_gt.txt")
+    return Pair("sample", "sample", folder, points=sum(map(len, clouds)))
+
+
+def sample_clouds(folder: Path, points: int = 40000) -> tuple[Array, Array]:
+    """Makes the pair, of about so many points a cloud, in `folder`; source (n, 3), target (m, 3)."""
     command = [sys.executable, str(TOOLS / "sample_pair.py"), "--out", str(folder)]
+    command += ["--points", str(points)]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         raise DataError(f"no sample pair: {' '.join(command)} failed:\n{done.stderr.strip()}")
     sys.path.insert(0, str(TOOLS))  # where sample_pair.py itself finds its modules
     from virtual_scan.files import read_pcd
 
-    points = 0
-    for name in ("source", "target"):
-        cloud, _ = read_pcd(folder / f"{name}.pcd")
-        write_ply(folder / f"{name}.ply", cloud)
-        points += len(cloud)
-    (folder / "T_true.txt").rename(folder / "T_gt.txt")
-    return Pair("sample", "sample", folder, points=points)
+    source, target = (read_pcd(folder / f"{name}.pcd")[0] for name in ("source", "target"))
+    return source, target
 
 
 def write_ply(path: Path, points: np.ndarray) -> None:

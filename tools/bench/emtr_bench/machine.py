@@ -1,0 +1,45 @@
+"""What a benchmark ran on, in words that stand beside its figures."""
+
+from __future__ import annotations
+
+import datetime
+import os
+import platform
+from collections.abc import Iterable
+from importlib import metadata
+from pathlib import Path
+
+from .locations import REPOSITORY
+from .versions import first_line, pcl_version
+
+
+def describe(packages: Iterable[str] = ()) -> dict[str, str]:
+    """Name and value of what matters to a figure, with the versions of these Python packages."""
+    known = {
+        "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
+        "cpu": cpu_model(),
+        "cpus": str(len(os.sched_getaffinity(0))),
+        "load average": f"{os.getloadavg()[0]:.2f} before the run",
+        "system": _system(),
+        "compiler": first_line("c++", "--version"),
+        "pcl": pcl_version(),
+        "python": platform.python_version(),
+        "revision": first_line("git", "-C", str(REPOSITORY), "describe", "--always", "--dirty"),
+    }
+    for package in packages:
+        known[package] = metadata.version(package)
+    return known
+
+
+def cpu_model() -> str:
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        name, _, value = line.partition(":")
+        if name.strip() == "model name":
+            return value.strip()
+    return platform.processor() or platform.machine()
+
+
+def _system() -> str:
+    release = platform.freedesktop_os_release() if hasattr(
+        platform, "freedesktop_os_release") else {}  # fmt: skip
+    return f"{release.get('PRETTY_NAME', platform.system())}, kernel {platform.release()}"

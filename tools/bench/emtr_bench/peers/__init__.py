@@ -1,0 +1,1 @@
+"""The benchmark against other libraries: same pairs, same motions, one run."""

@@ -1,0 +1,77 @@
+"""Open3D: RANSAC and Fast Global Registration on FPFH, and point-to-plane ICP.
+
+Radii, checkers and criteria are those that its tutorial on global registration recommends,
+in multiples of the voxel.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import open3d
+
+from .methods import Array, Task
+
+_registration = open3d.pipelines.registration
+open3d.utility.set_verbosity_level(open3d.utility.VerbosityLevel.Error)
+
+NORMAL_RADIUS, NORMAL_NEIGHBORS = 2.0, 30
+FEATURE_RADIUS, FEATURE_NEIGHBORS = 5.0, 100
+RANSAC_DISTANCE, FGR_DISTANCE, ICP_DISTANCE = 1.5, 0.5, 1.0
+EDGE_LENGTH_SIMILARITY = 0.9
+RANSAC_POINTS, RANSAC_ITERATIONS, RANSAC_CONFIDENCE = 3, 100000, 0.999
+
+
+def ransac(source: Array, target: Array, task: Task) -> Array:
+    open3d.utility.random.seed(task.seed)
+    (a, a_features), (b, b_features) = (_described(cloud, task) for cloud in (source, target))
+    distance = RANSAC_DISTANCE * task.voxel
+    result = _registration.registration_ransac_based_on_feature_matching(
+        a, b, a_features, b_features, True, distance,
+        _registration.TransformationEstimationPointToPoint(False), RANSAC_POINTS,
+        [_registration.CorrespondenceCheckerBasedOnEdgeLength(EDGE_LENGTH_SIMILARITY),
+         _registration.CorrespondenceCheckerBasedOnDistance(distance)],
+        _registration.RANSACConvergenceCriteria(RANSAC_ITERATIONS, RANSAC_CONFIDENCE),
+    )  # fmt: skip
+    return np.array(result.transformation)
+
+
+def fast_global_registration(source: Array, target: Array, task: Task) -> Array:
+    open3d.utility.random.seed(task.seed)
+    (a, a_features), (b, b_features) = (_described(cloud, task) for cloud in (source, target))
+    option = _registration.FastGlobalRegistrationOption(
+        maximum_correspondence_distance=FGR_DISTANCE * task.voxel
+    )
+    result = _registration.registration_fgr_based_on_feature_matching(
+        a, b, a_features, b_features, option
+    )
+    return np.array(result.transformation)
+
+
+def point_to_plane_icp(source: Array, target: Array, start: Array, task: Task) -> Array:
+    """On the full clouds; the target's normals are made here and count."""
+    b = _cloud(target)
+    b.estimate_normals(_neighborhood(NORMAL_RADIUS * task.voxel, NORMAL_NEIGHBORS))
+    result = _registration.registration_icp(
+        _cloud(source), b, ICP_DISTANCE * task.voxel, start,
+        _registration.TransformationEstimationPointToPlane(),
+    )  # fmt: skip
+    return np.array(result.transformation)
+
+
+def _described(points: Array, task: Task) -> tuple[Any, Any]:
+    cloud = _cloud(points).voxel_down_sample(task.voxel)
+    cloud.estimate_normals(_neighborhood(NORMAL_RADIUS * task.voxel, NORMAL_NEIGHBORS))
+    radius = FEATURE_RADIUS * task.voxel
+    return cloud, _registration.compute_fpfh_feature(
+        cloud, _neighborhood(radius, FEATURE_NEIGHBORS)
+    )
+
+
+def _cloud(points: Array) -> Any:
+    return open3d.geometry.PointCloud(open3d.utility.Vector3dVector(points))
+
+
+def _neighborhood(radius: float, most: int) -> Any:
+    return open3d.geometry.KDTreeSearchParamHybrid(radius, most)

@@ -1,0 +1,86 @@
+"""Measures and prints; see the command's --help."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import pyemtr
+
+from .. import machine, records
+from ..pairs import DataError
+from ..peers.summary import Quartiles
+from ..peers.tables import number, spread
+from ..sample import sample_clouds
+from .arguments import STRUCTURES
+from .measure import compare_structures, profile
+
+SMOKE_POINTS = 1500
+
+
+def stages(arguments: argparse.Namespace) -> int:
+    """Does what the command line says; gives the exit code."""
+    if arguments.smoke:
+        arguments.points, arguments.repetitions, arguments.slow_repetitions = SMOKE_POINTS, 1, 1
+    known = pyemtr.presets()
+    presets = arguments.presets or list(known)
+    unknown = [preset for preset in presets if preset not in known]
+    if unknown:
+        print(f"stages: --presets {unknown[0]}: no such preset; there are {', '.join(known)}",
+              file=sys.stderr)  # fmt: skip
+        return 2
+    found = machine.describe(("pyemtr", "numpy"))
+    try:
+        with tempfile.TemporaryDirectory() as scratch:
+            source, target = sample_clouds(Path(scratch), arguments.points)
+    except DataError as error:
+        print(f"stages: {error}", file=sys.stderr)
+        return 2
+    print(f"clouds of {len(source)} and {len(target)} points, kernel {pyemtr.kernel_name()}")
+    profiles = [
+        profile(source, target, preset, threads, arguments.repetitions)
+        for preset in presets
+        for threads in arguments.threads
+    ]
+    print(_profile_table(profiles), flush=True)
+    structures = [
+        compare_structures(source, target, preset, arguments.threads[-1],
+                           arguments.slow_repetitions)
+        for preset in presets
+    ]  # fmt: skip
+    print(_structure_table(structures))
+    if arguments.json:
+        value = {
+            "benchmark": "stages", "machine": found, "kernel": pyemtr.kernel_name(),
+            "points": [len(source), len(target)], "repetitions": arguments.repetitions,
+            "slow_repetitions": arguments.slow_repetitions, "profiles": profiles,
+            "structures": structures,
+        }  # fmt: skip
+        records.write(arguments.json, value)
+        print(f"wrote {arguments.json}")
+    return int(not all(row["same_bits"] for row in structures))
+
+
+def _profile_table(profiles: list[dict[str, Any]]) -> str:
+    names = list(profiles[0]["seconds"])
+    lines = ["", f"{'median seconds':<16}{'threads':>8}" + "".join(f"{n:>12}" for n in names)]
+    for row in profiles:
+        cells = "".join(f"{number(row['seconds'][name]['median'], 4):>12}" for name in names)
+        lines.append(f"{row['preset']:<16}{row['threads']:>8}{cells}")
+    return "\n".join(lines)
+
+
+def _structure_table(rows: list[dict[str, Any]]) -> str:
+    lines = ["", "evolution, median seconds (quartiles)"]
+    for row in rows:
+        parts = []
+        for name in STRUCTURES:
+            found = Quartiles(**row["evolution"][name])
+            parts.append(f"{name} {number(found.median)} ({spread(found)})")
+        bits = "the same bits" if row["same_bits"] else "NOT THE SAME BITS"
+        lines.append(f"{row['preset']}, {row['threads']} threads: {', '.join(parts)}, "
+                     f"ratio {number(row['ratio'], 1)}, {bits}")  # fmt: skip
+    return "\n".join(lines)
