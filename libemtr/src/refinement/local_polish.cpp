@@ -1,0 +1,194 @@
+#include "local_polish.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "../error.h"
+#include "small_motion.h"
+
+namespace emtr {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+constexpr std::size_t kBlock = 512;  // queries whose sums are one piece of work
+/// Of the Levenberg-Marquardt kind, by the sum of weights: far below what a surface of any shape
+/// holds, and enough for a step along what a plane or a sphere leaves free to stay small.
+constexpr double kDamping = 1e-6;
+
+void require(bool holds, const char* what) {
+  if (!holds) throw Error(EMTR_ERROR_ARGUMENT, std::string("polish: ") + what);
+}
+
+void check(const Polish& s) {
+  require(s.last_scale > 0 && s.first_scale >= s.last_scale && std::isfinite(s.first_scale),
+          "expected 0 < last_scale <= first_scale");
+  require(s.shrink > 0 && s.shrink < 1, "expected shrink in (0, 1)");
+  require(s.reach > 0 && std::isfinite(s.reach), "expected a finite reach above 0");
+  require(s.normal_gate >= 0 && s.normal_gate < 1, "expected normal_gate in [0, 1)");
+  require(s.softness > 0 && s.softness < 1, "expected softness in (0, 1)");
+  require(s.step > 0, "expected a step above 0");
+  require(s.iterations >= 1, "expected 1 iteration or more");
+  require(s.queries >= 1 && s.first_queries >= 1, "expected 1 query or more");
+  require(s.least_inliers >= 6, "expected least_inliers of 6 or more");
+}
+
+/// The Gauss-Newton step.
+Vector6 solve(const NormalEquations& sums) {
+  Matrix6 H;
+  sums.full_matrix(H.data());
+  H.diagonal().array() += kDamping * sums.weights;
+  return -H.ldlt().solve(Vector6::Map(sums.g));
+}
+
+}  // namespace
+
+Polish coarse_polish() {
+  Polish out;
+  out.first_scale = 4;
+  out.last_scale = 1;
+  out.softness = 1e-2;
+  out.step = 2e-2;
+  out.iterations = 8;
+  out.queries = 1500;
+  out.first_queries = 500;
+  out.both_ways = false;
+  return out;
+}
+
+LocalPolish::Side LocalPolish::prepare(const Surface& surface, const Neighbors* near_other,
+                                       const Polish& settings) {
+  const Cloud &p = surface.points, &n = surface.normals;
+  require(n.size() == p.size(), "expected a normal for each point of a surface");
+  require(surface.leaf > 0, "expected a surface with a leaf above 0");
+  Side side;
+  side.near = near_other;
+  side.points.resize(p.size());
+  std::vector<std::int32_t> usable;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    side.points[i] = {{p.x[i], p.y[i], p.z[i]}, {n.x[i], n.y[i], n.z[i]}};
+    if (!std::isnan(n.x[i])) usable.push_back(static_cast<std::int32_t>(i));
+  }
+  const std::size_t all = std::min(settings.queries, usable.size()),
+                    stride = std::max<std::size_t>(1, all / settings.first_queries);
+  side.first = all ? (all - 1) / stride + 1 : 0;
+  for (std::size_t phase = 0; phase < std::min(stride, all); ++phase)
+    for (std::size_t k = phase; k < all; k += stride) {
+      const std::int32_t i = usable[k * usable.size() / all];
+      const float* place = side.points[static_cast<std::size_t>(i)].p;
+      side.queries.push_back(i);
+      side.places.x.push_back(place[0]);
+      side.places.y.push_back(place[1]);
+      side.places.z.push_back(place[2]);
+    }
+  return side;
+}
+
+LocalPolish::LocalPolish(const Surface& source, const Surface& target, const Neighbors* near_source,
+                         const Neighbors* near_target, const Polish& settings,
+                         const Kernels& kernels)
+    : settings_(settings),
+      leaf_(target.leaf),
+      source_(prepare(source, near_target, settings)),
+      target_(prepare(target, near_source, settings)),
+      kernels_(kernels) {
+  check(settings);
+  require(near_target, "expected the neighbours of the target");
+  require(near_source || !settings.both_ways, "expected the neighbours of the source");
+}
+
+/// Queries begin to end of one side; their work space starts at `place`.
+void LocalPolish::sum_block(const Look& at, bool reversed, std::size_t begin, std::size_t end,
+                            std::size_t place, Scratch& s, NormalEquations& sums) const {
+  const Side &asking = reversed ? target_ : source_, &answering = reversed ? source_ : target_;
+  const Rigid way = reversed ? at.pose.inverse() : at.pose;
+  float R[9], t[3];
+  for (int k = 0; k < 9; ++k) R[k] = static_cast<float>(way.R[k]);
+  for (int k = 0; k < 3; ++k) t[k] = static_cast<float>(way.t[k]);
+  const PointsView all = asking.places.view();
+  const std::size_t n = end - begin;
+  float *x = &s.x[place], *y = &s.y[place], *z = &s.z[place], *squared = &s.squared[place];
+  std::int32_t* index = &s.index[place];
+  kernels_.transform({all.x + begin, all.y + begin, all.z + begin, n}, R, t, x, y, z);
+  asking.near->nearest({x, y, z, n}, index, squared);
+
+  const double reach = std::max(at.scale, settings_.reach * leaf_);
+  const auto limit = static_cast<float>(reach * reach);
+  const PlaneToPlane estimator(at.pose, at.scale, settings_.softness, settings_.normal_gate);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (index[i] < 0 || !(squared[i] < limit)) continue;
+    const Oriented& a = asking.points[static_cast<std::size_t>(asking.queries[begin + i])];
+    const Oriented& b = answering.points[static_cast<std::size_t>(index[i])];
+    estimator.add(reversed ? b : a, reversed ? a : b, sums);
+  }
+}
+
+void LocalPolish::look(const Look& at, Scratch& s, int threads, Polished& out) const {
+  const std::size_t n = at.all ? source_.queries.size() : source_.first,
+                    m = !settings_.both_ways ? 0
+                        : at.all             ? target_.queries.size()
+                                             : target_.first;
+  const std::size_t blocks = (n + kBlock - 1) / kBlock, total = blocks + (m + kBlock - 1) / kBlock;
+  s.blocks.assign(total, NormalEquations());
+  const auto work = [&](std::size_t b) {
+    const bool reversed = b >= blocks;
+    const std::size_t begin = (reversed ? b - blocks : b) * kBlock;
+    sum_block(at, reversed, begin, std::min(begin + kBlock, reversed ? m : n), b * kBlock, s,
+              s.blocks[b]);
+  };
+  if (threads > 1 && total > 1) {
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::size_t b = 0; b < total; ++b) work(b);
+  } else {
+    for (std::size_t b = 0; b < total; ++b) work(b);
+  }
+  const auto share = [](double inliers, std::size_t queries) {
+    return queries ? inliers / static_cast<double>(queries) : 0;
+  };
+  NormalEquations sums;
+  for (std::size_t b = 0; b < blocks; ++b) sums.add(s.blocks[b]);
+  out.inlier_share_source = share(sums.inliers, n);
+  const double own = sums.inliers;
+  for (std::size_t b = blocks; b < total; ++b) sums.add(s.blocks[b]);
+  out.inlier_share_target = share(sums.inliers - own, m);
+  out.sums = sums;
+  out.rmse = sums.weights > 0 ? std::sqrt(sums.squares / sums.weights) : 0;
+}
+
+Polished LocalPolish::operator()(const Rigid& start, Scratch& s, int threads) const {
+  double T[16];
+  to_matrix(start, T);
+  require(is_rigid(T), "expected a finite rigid pose at the start");
+  const std::size_t room =
+      (source_.queries.size() / kBlock + target_.queries.size() / kBlock + 2) * kBlock;
+  for (auto* v : {&s.x, &s.y, &s.z, &s.squared}) v->resize(std::max(v->size(), room));
+  s.index.resize(std::max(s.index.size(), room));
+
+  Polished out;
+  out.both_ways = settings_.both_ways;
+  const double last = settings_.last_scale * leaf_;
+  Look at{start, settings_.first_scale * leaf_, settings_.first_scale <= settings_.last_scale};
+  out.end = PolishEnd::Iterations;
+  while (out.iterations < settings_.iterations && out.end == PolishEnd::Iterations) {
+    look(at, s, threads, out);
+    ++out.iterations;
+    const Vector6 step = solve(out.sums);
+    if (out.sums.inliers < static_cast<double>(settings_.least_inliers) || !step.allFinite()) {
+      out = {};
+      at.pose = start;
+      break;
+    }
+    at.pose = moved(at.pose, step.data());
+    if (at.all && step.norm() < settings_.step * leaf_) out.end = PolishEnd::Settled;
+    at.scale = std::max(last, at.scale * settings_.shrink);
+    at.all = at.all || at.scale <= last;
+  }
+  out.pose = at.pose;
+  return out;
+}
+
+}  // namespace emtr

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "../kernels/kernels.h"
+#include "../neighbors/neighbors.h"
+#include "../rigid.h"
+#include "normal_equations.h"
+#include "plane_to_plane.h"
+#include "surface.h"
+
+namespace emtr {
+
+/// How a pose is polished. Lengths are in leaves of the target's surface. The defaults are for the
+/// last polish of one pose on fine surfaces (leaf 0.01 to 0.015); coarse_polish() is for many.
+struct Polish {
+  double first_scale = 3;      ///< Tukey's cut-off of the residuals at the start; > 0
+  double last_scale = 0.5;     ///< and at the end; > 0, at most first_scale
+  double shrink = 0.6;         ///< the cut-off of an iteration by that of the one before; in (0, 1)
+  double reach = 1.5;          ///< farthest match, but never below the cut-off in use; > 0. The
+                               ///< neighbours' radius bounds it too
+  double normal_gate = 0.7;    ///< least |cosine| between the normals of a match; in [0, 1)
+  double softness = 2e-3;      ///< eps of PlaneToPlane: variance along normals by that in planes;
+                               ///< in (0, 1). 0.002 bears normals that differ by 5 degrees
+  double step = 1e-4;          ///< stop below this step (rotation in radians and shift in leaves of
+                               ///< the unit ball's surface); > 0
+  int iterations = 25;         ///< at most; >= 1
+  std::size_t queries = 6000;  ///< points of each cloud that look for a match, spread evenly
+                               ///< over those with a normal; >= 1
+  std::size_t first_queries = 1500;  ///< the same while the cut-off still shrinks; >= 1
+  bool both_ways = true;             ///< target points look for a match in the source too
+  std::size_t least_inliers = 30;    ///< fewer hold no pose; >= 6
+};
+
+/// For ranking candidates that may be 10 degrees and 0.1 off, on surfaces of a few thousand points
+/// each: the neighbours of the target need a radius of 4 leaves, those of the source are not asked.
+Polish coarse_polish();
+
+enum class PolishEnd {
+  Settled,       ///< the last step was as small as asked
+  Iterations,    ///< it was not when they ran out: the pose is of use, but may still drift
+  TooFewInliers  ///< nothing could be done: the pose is the one at the start
+};
+
+struct Polished {
+  Rigid pose;  ///< source into target: q = R p + t
+  PolishEnd end = PolishEnd::TooFewInliers;
+  int iterations = 0;
+  double rmse = 0;                 ///< weighted, of the residuals to the mean planes, in the
+                                   ///< normalised frame; 0 when nothing could be done
+  double inlier_share_source = 0;  ///< queries of the source with a match of weight above zero
+  double inlier_share_target = 0;  ///< and of the target; 0 unless both_ways
+  bool both_ways = true;           ///< so pairs may be counted twice
+  NormalEquations sums;            ///< at the last look: what information() and spectrum() read
+};
+
+/// Polishes poses of one pair of surfaces; prepared once, then called for each start. Gauss-Newton
+/// on SE(3) with matches looked up anew in each iteration, all sums in double and in an order that
+/// does not depend on the threads. The surfaces are copied, the neighbours must outlive it.
+class LocalPolish {
+ public:
+  /// What one call at a time works in; keep one a thread, so that no call allocates but the first.
+  struct Scratch {
+    std::vector<float> x, y, z, squared;
+    std::vector<std::int32_t> index;
+    std::vector<NormalEquations> blocks;
+  };
+
+  /// Neighbours of the points of the two surfaces, with a radius of first_scale leaves (and of
+  /// `reach` leaves when that is more); `near_source` may be null unless both_ways. Throws Error
+  /// when a setting is out of its range, a surface is not whole, or its neighbours are missing.
+  LocalPolish(const Surface& source, const Surface& target, const Neighbors* near_source,
+              const Neighbors* near_target, const Polish& settings, const Kernels& kernels);
+
+  /// Safe to call from several threads at once, each with its own scratch. `threads` share the
+  /// work of this one call, which gives the same bits for any number. Throws Error when the start
+  /// is not a finite rigid pose.
+  Polished operator()(const Rigid& start, Scratch& scratch, int threads = 1) const;
+
+ private:
+  struct Side {
+    std::vector<Oriented> points;       // of the whole surface
+    std::vector<std::int32_t> queries;  // those that ask: a thinned part first, then the rest
+    Cloud places;                       // of the queries
+    std::size_t first = 0;              // how long the thinned part is
+    const Neighbors* near = nullptr;    // of the other side's points
+  };
+
+  struct Look {
+    Rigid pose;
+    double scale;
+    bool all;  // the queries, or the first few
+  };
+
+  static Side prepare(const Surface& surface, const Neighbors* near_other, const Polish& settings);
+  void look(const Look& at, Scratch& scratch, int threads, Polished& out) const;
+  void sum_block(const Look& at, bool reversed, std::size_t begin, std::size_t end,
+                 std::size_t place, Scratch& scratch, NormalEquations& sums) const;
+
+  Polish settings_;
+  double leaf_;
+  Side source_, target_;
+  const Kernels& kernels_;
+};
+
+}  // namespace emtr

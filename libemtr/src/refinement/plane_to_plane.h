@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cmath>
+
+#include "../rigid.h"
+#include "normal_equations.h"
+
+namespace emtr {
+
+/// A point with its normal, beside each other in memory.
+struct Oriented {
+  float p[3], n[3];
+};
+
+/// Generalised ICP's plane to plane (Segal, Haehnel, Thrun 2009) in closed form, with Tukey's
+/// weights. Each point is known well along its normal (variance eps) and badly in its plane
+/// (variance 1), so a pair's difference d has the covariance C = 2 - (1 - eps)(n n^T + m m^T).
+/// Along the mean u of the two normals its variance is 2 eps + (1 - eps)(1 - n.m), across u it is
+/// 2 within 15 percent for all that the gate lets through; scaled by 2 eps, d^T C^-1 d becomes
+///   (a - eps) (u.d)^2 + eps |d|^2,   a = 2 eps / (2 eps + (1 - eps)(1 - n.m)):
+/// residuals to the mean plane, those of pairs whose normals differ counting less, and a weak pull
+/// in all directions that steadies what the surface leaves free.
+class PlaneToPlane {
+ public:
+  /// `scale`: Tukey's cut-off of the residuals; `gate`: the least |n.m|.
+  PlaneToPlane(const Rigid& pose, double scale, double eps, double gate)
+      : pose_(pose), inverse_(1 / (scale * scale)), eps_(eps), gate_(gate) {}
+
+  void add(const Oriented& source, const Oriented& target, NormalEquations& sums) const {
+    const double* R = pose_.R;
+    double y[3], m[3], d[3];
+    for (int k = 0; k < 3; ++k) {
+      const double *row = R + 3 * k, px = source.p[0], py = source.p[1], pz = source.p[2],
+                   nx = source.n[0], ny = source.n[1], nz = source.n[2];
+      y[k] = row[0] * px + row[1] * py + row[2] * pz + pose_.t[k];
+      m[k] = row[0] * nx + row[1] * ny + row[2] * nz;
+      d[k] = y[k] - target.p[k];
+    }
+    const double n[3] = {target.n[0], target.n[1], target.n[2]};
+    const double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+    const double c = std::abs(cosine);
+    if (!(c > gate_)) return;  // not for a NaN either
+    const double length = 1 / std::sqrt(2 + 2 * c), sign = cosine < 0 ? -length : length;
+    const double u[3] = {length * n[0] + sign * m[0], length * n[1] + sign * m[1],
+                         length * n[2] + sign * m[2]};
+    const double e = u[0] * d[0] + u[1] * d[1] + u[2] * d[2];
+    const double along = 2 * eps_ / (2 * eps_ + (1 - eps_) * (1 - c)) - eps_;
+    const double cost = along * e * e + eps_ * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double bend = 1 - cost * inverse_;
+    if (!(bend > 0)) return;
+    const double tukey = bend * bend, w = tukey * along;
+    const double J[6] = {y[1] * u[2] - y[2] * u[1],
+                         y[2] * u[0] - y[0] * u[2],
+                         y[0] * u[1] - y[1] * u[0],
+                         u[0],
+                         u[1],
+                         u[2]};
+    sums.add_normal(J, e, w);
+    sums.add_difference(y, d, tukey * eps_);
+    sums.weights += w;
+    sums.squares += w * e * e;
+    sums.forces += w * w * e * e;
+    sums.slopes += along * bend * (bend - 4 * along * e * e * inverse_);
+    sums.inliers += 1;
+  }
+
+ private:
+  Rigid pose_;
+  double inverse_, eps_, gate_;
+};
+
+}  // namespace emtr

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "normal_equations.h"
+
+namespace emtr {
+
+/// What the matched surfaces hold a pose by: the eigenvalues of their Hessian, with rotations
+/// measured by how far they move a point at `radius`, so that all six directions are lengths.
+/// An eigenvalue is the mean square of the shift along the normals for a motion of length 1: the
+/// three shifts have 1 between them, a direction that slides a surface along itself has none. A
+/// plane leaves two slides and one spin free, a sphere three spins, a cylinder a slide and a spin.
+struct Spectrum {
+  double values[6] = {};         ///< ascending, dimensionless, of [0, about 1]
+  double directions[6][6] = {};  ///< unit vectors, one a row: rotation * radius, then shift
+  double radius = 1;             ///< root mean square distance of the matched points from the
+                                 ///< origin of the target's normalised frame
+  int free = 0;                  ///< how many values lie below kFreeDirection
+
+  /// Smallest by largest eigenvalue, of [0, 1]: 0 when something is free.
+  double condition() const { return values[5] > 0 ? values[0] / values[5] : 0; }
+};
+
+/// Noise of the normals gives a free direction its square: 0.003 is a twentieth of a radian, 3
+/// degrees.
+constexpr double kFreeDirection = 3e-3;
+
+/// All zeros, with six free directions, when there are no matches.
+Spectrum spectrum(const NormalEquations& sums);
+
+}  // namespace emtr

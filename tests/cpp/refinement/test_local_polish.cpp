@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "error.h"
+#include "frame/frame.h"
+#include "polisher.h"
+#include "shapes.h"
+
+namespace {
+
+using emtr::LocalPolish;
+using emtr::Polish;
+using emtr::Polished;
+using emtr::PolishEnd;
+using emtr::Rigid;
+using emtr::Surface;
+using emtr_test::degrees_between;
+using emtr_test::motion;
+using emtr_test::Polisher;
+using emtr_test::shift_between;
+
+struct Scans {
+  emtr::NormalisedPair pair;
+  Rigid truth;
+
+  explicit Scans(std::uint64_t seed, std::size_t points) {
+    const emtr_test::Pair made(seed, points);
+    pair = emtr::normalise(made.source(), made.target());
+    truth = pair.frame.to_normalised(emtr::from_matrix(made.pose()));
+  }
+  Surface source(double leaf) const { return emtr::thin_surface(pair.source, leaf); }
+  Surface target(double leaf) const { return emtr::thin_surface(pair.target, leaf); }
+
+  /// The truth after a small motion on its left.
+  Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
+    const Rigid by = motion(degrees, shift);
+    Rigid out;
+    using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    const Eigen::Map<const Rotation> R(by.R);
+    Eigen::Map<Rotation>(out.R) = R * Eigen::Map<const Rotation>(truth.R);
+    Eigen::Vector3d::Map(out.t) = R * Eigen::Vector3d::Map(truth.t) + shift;
+    return out;
+  }
+};
+
+const Scans& scans() {
+  static const Scans made(11, 30000);
+  return made;
+}
+
+std::array<double, 16> bits(const Polished& polished) {
+  std::array<double, 16> out;
+  emtr::to_matrix(polished.pose, out.data());
+  return out;
+}
+
+TEST(LocalPolish, FindsThePoseFromWhatTheSearchLeaves) {
+  const Polisher polisher(scans().source(0.015), scans().target(0.015), Polish());
+  const Rigid start = scans().off({0.6, -0.7, 0.4}, {0.006, 0.005, -0.006});
+  const Polished out = polisher(start);
+  EXPECT_EQ(out.end, PolishEnd::Settled);
+  EXPECT_LT(degrees_between(out.pose, scans().truth), 0.05);
+  EXPECT_LT(shift_between(out.pose, scans().truth), 5e-4);
+  EXPECT_GT(out.inlier_share_source, 0.4);
+  EXPECT_GT(out.inlier_share_target, 0.4);
+  EXPECT_GT(out.rmse, 0);
+  EXPECT_LT(out.rmse, 0.015 / 4);
+  double T[16];
+  emtr::to_matrix(out.pose, T);
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(out.pose.R);
+  EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+}
+
+TEST(LocalPolish, CoarseComesBackFromTenDegrees) {
+  const Surface source = scans().source(0.035), target = scans().target(0.035);
+  const Polisher polisher(source, target, emtr::coarse_polish());
+  for (const double sign : {-1.0, 1.0}) {
+    const Polished out = polisher(scans().off({7 * sign, 5, -5}, {0.03, -0.03 * sign, 0.03}));
+    EXPECT_LT(degrees_between(out.pose, scans().truth), 0.5);
+    EXPECT_EQ(out.inlier_share_target, 0);
+  }
+}
+
+TEST(LocalPolish, OfItsOwnResultMovesNoMore) {
+  const Polisher polisher(scans().source(0.02), scans().target(0.02), Polish());
+  const Polished once = polisher(scans().off({0.5, 0.5, 0}, {0, 0.005, 0}));
+  Polish last;
+  last.first_scale = last.last_scale;
+  const Polisher again(scans().source(0.02), scans().target(0.02), last);
+  const Polished twice = again(once.pose);
+  EXPECT_EQ(twice.end, PolishEnd::Settled);
+  EXPECT_LT(degrees_between(once.pose, twice.pose), 1e-3);
+}
+
+TEST(LocalPolish, SameBitsForAnyThreadsKernelsScratchAndSignsOfNormals) {
+  Surface source = scans().source(0.02);
+  const Surface target = scans().target(0.02);
+  const Rigid start = scans().off({1, 0, 0.5}, {0.01, 0, 0});
+  const auto wanted = bits(Polisher(source, target, Polish())(start));
+  for (const emtr::Kernels* kernels : emtr_test::kernels_here()) {
+    const Polisher polisher(source, target, Polish(), *kernels);
+    for (const int threads : {1, 2, 3}) EXPECT_EQ(bits(polisher(start, threads)), wanted);
+  }
+  for (std::size_t i = 0; i < source.normals.size(); i += 3) {
+    source.normals.x[i] = -source.normals.x[i];
+    source.normals.y[i] = -source.normals.y[i];
+    source.normals.z[i] = -source.normals.z[i];
+  }
+  const Polisher flipped(source, target, Polish());
+  LocalPolish::Scratch used;
+  (*flipped.polish)(scans().truth, used);
+  EXPECT_EQ(bits((*flipped.polish)(start, used)), wanted);
+}
+
+TEST(LocalPolish, SaysSoWhenThereIsNothingToHoldOnTo) {
+  Surface source = scans().source(0.03), target = scans().target(0.03);
+  const Rigid away = motion({10, 20, 30}, {5, 0, 0});
+  const Polished out = Polisher(source, target, Polish())(away);
+  EXPECT_EQ(out.end, PolishEnd::TooFewInliers);
+  Polished at_start;
+  at_start.pose = away;
+  EXPECT_EQ(bits(out), bits(at_start));
+  EXPECT_EQ(out.rmse, 0);
+  EXPECT_EQ(out.inlier_share_source, 0);
+
+  for (auto* v : {&source.normals.x, &source.normals.y, &source.normals.z})
+    std::fill(v->begin(), v->end(), std::numeric_limits<float>::quiet_NaN());
+  const Polished none = Polisher(source, target, Polish())(scans().truth);
+  EXPECT_EQ(none.end, PolishEnd::TooFewInliers);
+}
+
+TEST(LocalPolish, OfAPlaneStaysWhereItIsFree) {
+  const Polisher polisher(emtr::thin_surface(emtr_test::plane(1, 20000, 0.001), 0.03),
+                          emtr::thin_surface(emtr_test::plane(2, 20000, 0.001), 0.03), Polish());
+  const Polished out = polisher(motion({1, -1, 0}, {0.02, 0, 0.02}));
+  EXPECT_NE(out.end, PolishEnd::TooFewInliers);
+  EXPECT_NEAR(out.pose.R[8], 1, 1e-6);  // the plane lies in the other again
+  EXPECT_NEAR(out.pose.R[6] * 0 + out.pose.R[8] * 0.1 + out.pose.t[2], 0.1, 5e-4);
+  EXPECT_LT(shift_between(out.pose, motion({0, 0, 0}, {0.02, 0, 0})), 0.02);
+}
+
+TEST(LocalPolish, RefusesWhatItCannotUse) {
+  const Surface source = scans().source(0.05), target = scans().target(0.05);
+  const auto refuses = [&](auto change) {
+    Polish settings;
+    change(settings);
+    EXPECT_THROW(Polisher(source, target, settings), emtr::Error);
+  };
+  refuses([](Polish& s) { s.last_scale = 0; });
+  refuses([](Polish& s) { s.first_scale = 0.1; });
+  refuses([](Polish& s) { s.shrink = 1; });
+  refuses([](Polish& s) { s.normal_gate = 1; });
+  refuses([](Polish& s) { s.softness = 0; });
+  refuses([](Polish& s) { s.step = std::numeric_limits<double>::quiet_NaN(); });
+  refuses([](Polish& s) { s.iterations = 0; });
+  refuses([](Polish& s) { s.queries = 0; });
+
+  const auto near = emtr::make_brute_force(target.points, 0.1f);
+  const auto build = [&](const Surface& s, const emtr::Neighbors* near_source) {
+    return LocalPolish(s, target, near_source, near.get(), Polish(), emtr::select_kernels());
+  };
+  EXPECT_THROW(build(source, nullptr), emtr::Error);
+  Surface torn = source;
+  torn.normals.resize(3);
+  EXPECT_THROW(build(torn, near.get()), emtr::Error);
+
+  Rigid start;
+  start.t[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(Polisher(source, target, Polish())(start), emtr::Error);
+}
+
+}  // namespace

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <functional>
+
+#include "polisher.h"
+#include "refinement/spectrum.h"
+#include "shapes.h"
+
+namespace {
+
+using emtr::Spectrum;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+Spectrum spectrum_of(const std::function<emtr::Cloud(std::uint64_t, std::size_t, double)>& shape) {
+  const emtr_test::Polisher polisher(emtr::thin_surface(shape(1, 30000, 0.001), 0.03),
+                                     emtr::thin_surface(shape(2, 30000, 0.001), 0.03),
+                                     emtr::Polish());
+  return emtr::spectrum(polisher(emtr::Rigid()).sums);
+}
+
+/// How much of a motion (rotation vector, then shift) lies in the free directions, of [0, 1].
+double free_part(const Spectrum& s, Vector6 motion) {
+  motion.head<3>() *= s.radius;
+  motion.normalize();
+  double squares = 0;
+  for (int k = 0; k < s.free; ++k) {
+    const double part = Eigen::Map<const Vector6>(s.directions[k]).dot(motion);
+    squares += part * part;
+  }
+  return std::sqrt(squares);
+}
+
+TEST(Spectrum, OfAPlaneNamesTwoSlidesAndASpin) {
+  const Spectrum s = spectrum_of(emtr_test::plane);
+  ASSERT_EQ(s.free, 3);
+  EXPECT_LT(s.condition(), 0.01);
+  EXPECT_GT(free_part(s, {0, 0, 0, 1, 0, 0}), 0.99);
+  EXPECT_GT(free_part(s, {0, 0, 0, 0, 1, 0}), 0.99);
+  EXPECT_GT(free_part(s, {0, 0, 1, 0, 0, 0}), 0.99);
+  EXPECT_LT(free_part(s, {0, 0, 0, 0, 0, 1}), 0.1);
+}
+
+TEST(Spectrum, OfASphereNamesThreeSpins) {
+  const Spectrum s = spectrum_of(emtr_test::sphere);
+  ASSERT_EQ(s.free, 3);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_GT(free_part(s, Vector6::Unit(k)), 0.99);
+    EXPECT_LT(free_part(s, Vector6::Unit(3 + k)), 0.1);
+    EXPECT_NEAR(s.values[3 + k], 1.0 / 3, 0.05);
+  }
+  EXPECT_NEAR(s.radius, 0.8, 0.02);
+}
+
+TEST(Spectrum, OfACylinderNamesASlideAndASpin) {
+  const Spectrum s = spectrum_of(emtr_test::cylinder);
+  ASSERT_EQ(s.free, 2);
+  EXPECT_GT(free_part(s, {0, 0, 1, 0, 0, 0}), 0.99);
+  EXPECT_GT(free_part(s, {0, 0, 0, 0, 0, 1}), 0.99);
+}
+
+TEST(Spectrum, OfACubeNamesNone) {
+  const Spectrum s = spectrum_of(emtr_test::cube);
+  EXPECT_EQ(s.free, 0);
+  EXPECT_GT(s.condition(), 0.1);
+  EXPECT_GT(s.values[0], 0.03);
+}
+
+TEST(Spectrum, OfNothingIsAllFree) {
+  const Spectrum s = emtr::spectrum(emtr::NormalEquations());
+  EXPECT_EQ(s.free, 6);
+  EXPECT_EQ(s.condition(), 0);
+}
+
+}  // namespace
