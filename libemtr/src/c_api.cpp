@@ -146,6 +146,8 @@ const char* emtr_reason_text(emtr_reason reason) {
       return "too few feature matches";
     case EMTR_REASON_INTERRUPTED:
       return "interrupted";
+    case EMTR_REASON_DEGENERATE:
+      return "the surfaces can slide or spin along themselves";
   }
   return "unknown reason";
 }

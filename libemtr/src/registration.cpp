@@ -33,9 +33,21 @@ std::unique_ptr<Result> Registration::run() {
     r.seconds_evolution = watch.lap();
     stopped_ |= evolution.stopped;
     answer_ = evolution.hypotheses[evolution.best].pose;
-    if (pool_) {
-      if (!stopped_ && !stop("candidates")) rank(evolution);
+    if (search_ && !stopped_ && !stop("candidates")) {
+      watch.lap();
+      rank(evolution);
       r.seconds_candidates = watch.lap();
+    }
+    if (unsure() && !stopped_ && !stop("escalation")) {
+      watch.lap();
+      search_->escalate();
+      settle();
+      r.seconds_escalation = watch.lap();
+    }
+    if (settings_.refine && !stopped_ && !stop("refinement")) {
+      watch.lap();
+      refine();
+      r.seconds_refinement = watch.lap();
     }
     stopped_ = stopped_ || stop("verdict");
     watch.lap();
@@ -90,36 +102,39 @@ void Registration::describe_problem() {
 
   std::fill_n(r.transformation, 16, kUnknown);
   std::fill_n(r.information, 36, kUnknown);
+  std::fill_n(r.hold, 6, kUnknown);
+  std::fill_n(r.hold_directions, 36, kUnknown);
+  r.free_directions = -1;
   r.reason = EMTR_REASON_INTERRUPTED;
   r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.inlier_rmse = r.mode_gap = kUnknown;
   r.score = r.fit = r.violation = r.score_gap = kUnknown;
 }
 
-std::vector<Rigid> Registration::starts() {
-  std::vector<Rigid> out;
-  if (settings_.has_guess) {
-    out.push_back(problem_.frame.to_normalised(from_matrix(settings_.guess)));
-    for (const double offset : out[0].t)
-      if (!(std::abs(offset) <= kFarthest))
-        throw Error(EMTR_ERROR_SETTING,
-                    "setting 'guess' moves the source a million radii past the target");
-  }
+std::vector<Rigid> Registration::guess() const {
+  if (!settings_.has_guess) return {};
+  const Rigid pose = problem_.frame.to_normalised(from_matrix(settings_.guess));
+  for (const double offset : pose.t)
+    if (!(std::abs(offset) <= kFarthest))
+      throw Error(EMTR_ERROR_SETTING,
+                  "setting 'guess' moves the source a million radii past the target");
+  return {pose};
+}
+
+std::vector<Rigid> Registration::starts() const {
+  std::vector<Rigid> out = guess();
   // At least half of the swarm stays where chance put it.
-  const std::size_t most = static_cast<std::size_t>(
-      std::min(settings_.injected_seeds, settings_.population / 2));
+  const auto most =
+      static_cast<std::size_t>(std::min(settings_.injected_seeds, settings_.population / 2));
   const std::size_t n = std::min(most, shortlist_.size());
   out.insert(out.end(), shortlist_.begin(), shortlist_.begin() + static_cast<std::ptrdiff_t>(n));
   return out;
 }
 
 Evolution Registration::evolve() {
-  if (const Ranking* ranking = problem_.ranking.get()) {
-    pool_ = std::make_unique<Pool>(ranking->fit(), Ranking::kQuickStep, ranking->polish(), nullptr);
-    std::vector<Rigid> poses;
-    for (const Seed& seed : problem_.seeds) poses.push_back(seed.pose);
-    Team::with(thread_count(settings_), [&](Team& team) {
-      shortlist_ = pool_->shortlist(poses, static_cast<std::size_t>(settings_.candidates), team);
-    });
+  if (problem_.ranking) {
+    search_ = std::make_unique<CandidateSearch>(problem_.pair, *problem_.ranking, settings_,
+                                                problem_.kernels);
+    shortlist_ = search_->shortlist(problem_.seeds);
   } else {
     for (const Seed& seed : problem_.seeds) shortlist_.push_back(seed.pose);
   }
@@ -136,18 +151,27 @@ Evolution Registration::evolve() {
 }
 
 void Registration::rank(const Evolution& evolution) {
-  std::vector<Rigid> poses = shortlist_, remembered;
+  std::vector<Rigid> poses = guess(), remembered;
+  poses.insert(poses.end(), shortlist_.begin(), shortlist_.end());
   for (const Hypothesis& h : evolution.hypotheses) remembered.push_back(h.pose);
-  if (settings_.has_guess)
-    poses.push_back(problem_.frame.to_normalised(from_matrix(settings_.guess)));
-  Team::with(thread_count(settings_), [&](Team& team) {
-    const auto modes =
-        pool_->shortlist(remembered, static_cast<std::size_t>(settings_.candidates), team);
-    poses.insert(poses.end(), modes.begin(), modes.end());
-    pool_->add(poses, team);
-  });
-  answer_ = pool_->ranked().front().pose;
-  standing_ = stand(pool_->ranked());
+  search_->add(poses, remembered);
+  settle();
+}
+
+void Registration::settle() {
+  answer_ = search_->ranked().front().pose;
+  standing_ = stand(search_->ranked());
+}
+
+bool Registration::unsure() const {
+  enum { Off, Auto, Always };
+  if (!search_ || search_->ranked().empty() || settings_.escalation == Off) return false;
+  return settings_.escalation == Always || standing_.confidence < settings_.escalation_confidence;
+}
+
+void Registration::refine() {
+  refined_ = emtr::refine(problem_.pair, answer_, settings_, problem_.kernels);
+  answer_ = refined_.pose;
 }
 
 void Registration::conclude(const Evolution& evolution) {
@@ -165,9 +189,15 @@ void Registration::conclude(const Evolution& evolution) {
   r.alpha = evolution.history_alpha;
   r.beta = evolution.history_beta;
 
-  if (!pool_ || pool_->ranked().empty()) return;
-  const Candidate& best = pool_->ranked().front();
-  r.candidates = pool_->ranked().size();
+  if (search_ && !search_->ranked().empty()) conclude_candidates();
+  if (refined_.succeeded) conclude_refinement();
+}
+
+void Registration::conclude_candidates() {
+  Result& r = *result_;
+  const Candidate& best = search_->ranked().front();
+  r.candidates = search_->ranked().size();
+  r.escalated = search_->escalated();
   r.score = best.score;
   r.fit = best.fit.chf;
   r.violation = best.violation;
@@ -177,6 +207,22 @@ void Registration::conclude(const Evolution& evolution) {
     r.others.emplace_back();
     to_matrix(problem_.frame.to_user(other.pose), r.others.back().transformation);
     r.others.back().score = other.score;
+  }
+}
+
+void Registration::conclude_refinement() {
+  Result& r = *result_;
+  r.refined = 1;
+  // A shift in the user's unit is `scale` times as many, its information that much less.
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) {
+      const int shifts = (i >= 3) + (j >= 3);
+      r.information[6 * i + j] = refined_.information[6 * i + j] / std::pow(r.scale, shifts);
+    }
+  r.free_directions = refined_.spectrum.free;
+  for (int i = 0; i < 6; ++i) {
+    r.hold[i] = refined_.spectrum.values[i];
+    std::copy_n(refined_.spectrum.directions[i], 6, r.hold_directions + 6 * i);
   }
 }
 

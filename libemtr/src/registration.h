@@ -2,8 +2,9 @@
 
 #include <memory>
 
-#include "candidates/pool.h"
+#include "candidates/search.h"
 #include "problem.h"
+#include "refinement/refine.h"
 #include "verdict/standing.h"
 
 namespace emtr {
@@ -19,19 +20,26 @@ class Registration {
  private:
   bool stop(const char* stage);  ///< asks the caller
   void describe_problem();
-  std::vector<Rigid> starts();
+  std::vector<Rigid> starts() const;
   Evolution evolve();
   void rank(const Evolution& evolution);
+  void settle();  ///< on the best candidate
+  bool unsure() const;
+  void refine();
   void conclude(const Evolution& evolution);
+  void conclude_candidates();
+  void conclude_refinement();
+  std::vector<Rigid> guess() const;
 
   const Problem& problem_;
   const Settings& settings_;
   const OnProgress& on_progress_;
   std::unique_ptr<Result> result_;
-  std::unique_ptr<Pool> pool_;
+  std::unique_ptr<CandidateSearch> search_;  ///< null when none are asked for
   std::vector<Rigid> shortlist_;  ///< the best seeds
   Rigid answer_;  ///< normalised frame
   Standing standing_;
+  Refined refined_;
   bool stopped_ = false;
 };
 

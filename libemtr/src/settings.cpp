@@ -52,6 +52,9 @@ const std::vector<Setting>& table() {
               "most matches kept, those with the nearest descriptors", ""),
       SETTING(max_tims, Integer, "pairs", 3, 1e8, 5000, "features and matches",
               "most pairs of correspondences made into TIMs", ""),
+      SETTING(features, Choice, "", 0, 1, 1, "features and matches",
+              "who computes normals and FPFH: PCL's own functions, or the same definition vectorised",
+              "pcl,simd"),
       SETTING(seeds, Integer, "poses", 0, 10000, 200, "seeds",
               "most poses made of spatially consistent matches", ""),
       SETTING(seed_threshold, Real, "dense leaves", 0.1, 100, 1.5, "seeds",
@@ -154,7 +157,7 @@ const std::vector<Preset>& presets() {
       {"thorough", {{"escalation", 2}}},
       // The method as published: the swarm alone, no seeds before it and no polish after it.
       {"paper",
-       {{"dense_points", 4000}, {"max_tims", 100000}, {"seeds", 0},
+       {{"dense_points", 4000}, {"features", 0}, {"max_tims", 100000}, {"seeds", 0},
         {"injected_seeds", 0}, {"translation_bound", 0.5}, {"iterations", 100}, {"candidates", 0},
         {"free_space", 0}, {"escalation", 0}, {"refine", 0}}},
   };

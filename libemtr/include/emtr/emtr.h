@@ -75,6 +75,7 @@ typedef struct emtr_settings {
   /* features and matches */
   double normal_radius;  /* dense leaves */
   double feature_radius; /* dense leaves */
+  int32_t features;            /* 0 PCL's own functions, 1 vectorised: the same definition */
   int32_t max_correspondences; /* matches kept, those with the nearest descriptors */
   int32_t max_tims;            /* cap on pairs of correspondences */
 
@@ -145,6 +146,13 @@ typedef struct emtr_settings {
    * search stays near); row-major, source into target, the user's unit */
   int32_t has_guess;
   double guess[16];
+
+  /* where each cloud's sensor stood, in that cloud's own frame and unit: unknown when the switch
+   * is 0, and then estimated where it is needed */
+  int32_t has_viewpoint_source;
+  double viewpoint_source[3];
+  int32_t has_viewpoint_target;
+  double viewpoint_target[3];
 } emtr_settings;
 
 /* Fills *settings with a preset: "default" (also for a null pointer), "fast", "thorough" or
@@ -223,7 +231,8 @@ typedef enum emtr_reason {
   EMTR_REASON_LOW_OVERLAP = 1, /* too few points of the clouds lie on each other */
   EMTR_REASON_AMBIGUOUS = 2,   /* another, clearly different pose fits about as well */
   EMTR_REASON_FEW_MATCHES = 3, /* too few feature matches for task beta to mean anything */
-  EMTR_REASON_INTERRUPTED = 4  /* stopped by the progress callback */
+  EMTR_REASON_INTERRUPTED = 4, /* stopped by the progress callback */
+  EMTR_REASON_DEGENERATE = 5   /* the surfaces can slide or spin along themselves */
 } emtr_reason;
 
 /* What a reason means, in a few words. Never null. */
@@ -314,6 +323,12 @@ typedef struct emtr_result {
    * (user's unit), order (w, v), row-major: q = exp(w) (R p + t - c) + c + v, c center_target.
    * NaN when it was not refined */
   double information[36];
+  /* how firmly the matched surfaces hold the pose, ascending, 0 for a motion that slides them along
+   * themselves to about 1: eigenvalues of the Hessian, rotations measured at the surfaces' radius.
+   * NaN when it was not refined */
+  double hold[6];
+  double hold_directions[36]; /* unit vectors, one a row: rotation at that radius, then shift */
+  int32_t free_directions;    /* how many are not held; -1 when it was not refined */
 
   double seconds_seeds;
   double seconds_candidates;

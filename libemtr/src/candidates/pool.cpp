@@ -7,15 +7,12 @@
 
 namespace emtr {
 
-Pool::Pool(const Fit& fit, std::size_t step, const LocalPolish& polish, Violation violation)
-    : fit_(fit), step_(step), polish_(polish), violation_(std::move(violation)) {}
-
 std::vector<Rigid> Pool::shortlist(const std::vector<Rigid>& poses, std::size_t most,
                                    Team& team) const {
   std::vector<double> quick(poses.size());
   std::vector<Fit::Scratch> scratch(team.size());
   team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-    quick[i] = fit_.evaluate(poses[i], step_, scratch[thread]).chf;
+    quick[i] = ranking_.fit().evaluate(poses[i], Ranking::kQuickStep, scratch[thread]).chf;
   });
   std::vector<std::size_t> order(poses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -34,10 +31,9 @@ std::vector<Rigid> Pool::shortlist(const std::vector<Rigid>& poses, std::size_t 
 
 void Pool::add(const std::vector<Rigid>& poses, Team& team) {
   std::vector<Candidate> fresh(poses.size());
-  std::vector<Fit::Scratch> fit(team.size());
-  std::vector<LocalPolish::Scratch> polish(team.size());
+  std::vector<Scratch> scratch(team.size());
   team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-    fresh[i] = judged(poses[i], fit[thread], polish[thread]);
+    fresh[i] = judged(poses[i], scratch[thread]);
   });
   ranked_.insert(ranked_.end(), fresh.begin(), fresh.end());
   std::stable_sort(ranked_.begin(), ranked_.end(),
@@ -52,18 +48,19 @@ void Pool::add(const std::vector<Rigid>& poses, Team& team) {
   ranked_ = std::move(distinct);
 }
 
-Candidate Pool::judged(const Rigid& start, Fit::Scratch& fit, LocalPolish::Scratch& polish) const {
+Candidate Pool::judged(const Rigid& start, Scratch& scratch) const {
+  const auto fit = [&](const Rigid& pose) { return ranking_.fit().evaluate(pose, scratch.fit); };
   Candidate out;
-  const Polished polished = polish_(start, polish);
-  out.pose = polished.pose;
-  out.fit = fit_.evaluate(out.pose, fit);
+  out.pose = ranking_.polish()(start, scratch.polish).pose;
+  out.fit = fit(out.pose);
   // Polish can run off along a plane; then the start was the better answer.
-  const FitValue before = fit_.evaluate(start, fit);
+  const FitValue before = fit(start);
   if (before.chf > out.fit.chf) {
     out.pose = start;
     out.fit = before;
   }
-  if (violation_) out.violation = violation_(out.pose, out.fit);
+  if (const FreeSpace* space = ranking_.free_space())
+    out.violation = space->violation(out.pose, out.fit.sign, scratch.space);
   out.score = out.fit.chf - 2 * out.violation;
   return out;
 }

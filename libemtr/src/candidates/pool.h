@@ -3,9 +3,8 @@
 #include <vector>
 
 #include "../team.h"
-#include "../ranking/fit.h"
-#include "../refinement/local_polish.h"
 #include "../rigid.h"
+#include "ranking.h"
 
 namespace emtr {
 
@@ -21,11 +20,7 @@ struct Candidate {
 /// polish each, then the fine score. Distinct ones, best first.
 class Pool {
  public:
-  /// Share of space violated under a pose; empty when free space is not to count.
-  using Violation = std::function<double(const Rigid& pose, const FitValue& fit)>;
-
-  /// All arguments must outlive the pool. `step`: the shortlist looks at every step-th point.
-  Pool(const Fit& fit, std::size_t step, const LocalPolish& polish, Violation violation);
+  explicit Pool(const Ranking& ranking) : ranking_(ranking) {}  ///< which must outlive the pool
 
   /// The `most` poses with the best quick fit that are no copies of each other, best first.
   std::vector<Rigid> shortlist(const std::vector<Rigid>& poses, std::size_t most, Team& team) const;
@@ -36,12 +31,14 @@ class Pool {
   const std::vector<Candidate>& ranked() const { return ranked_; }
 
  private:
-  Candidate judged(const Rigid& start, Fit::Scratch& fit, LocalPolish::Scratch& polish) const;
+  struct Scratch {
+    Fit::Scratch fit;
+    LocalPolish::Scratch polish;
+    FreeSpace::Scratch space;
+  };
+  Candidate judged(const Rigid& start, Scratch& scratch) const;
 
-  const Fit& fit_;
-  std::size_t step_;
-  const LocalPolish& polish_;
-  Violation violation_;
+  const Ranking& ranking_;
   std::vector<Candidate> ranked_;
 };
 

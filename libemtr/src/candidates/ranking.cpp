@@ -3,27 +3,36 @@
 namespace emtr {
 namespace {
 
-constexpr double kReach = 3;  // leaves that a polish sees at first
+constexpr float kReach = 4;  // leaves that coarse_polish() asks for
+constexpr float kCell = 1.5;
 
-Polish quick_polish() {
-  Polish polish;
-  polish.first_scale = kReach;
-  polish.last_scale = 1;
-  polish.iterations = 8;
-  polish.queries = 1500;
-  return polish;
+std::unique_ptr<Neighbors> neighbors(const Surface& surface, const Kernels& kernels) {
+  const auto leaf = static_cast<float>(surface.leaf);
+  return make_candidate_grid(surface.points, kReach * leaf, kCell * leaf, kernels);
+}
+
+Surface oriented(Surface surface, const Viewpoints& viewpoints) {
+  if (!viewpoints.candidates.empty()) orient(surface, viewpoints.candidates.front());
+  return surface;
 }
 
 }  // namespace
 
 Ranking::Ranking(Surface source, Surface target, const Kernels& kernels)
-    : source_(std::move(source)), target_(std::move(target)), fit_(source_, target_, kernels) {
-  const auto leaf = static_cast<float>(source_.leaf), reach = static_cast<float>(kReach) * leaf;
-  near_source_ = make_candidate_grid(source_.points, reach, leaf, kernels);
-  near_target_ = make_candidate_grid(target_.points, reach, leaf, kernels);
-  polish_ = std::make_unique<LocalPolish>(source_, target_, *near_source_, *near_target_,
-                                          quick_polish(), kernels);
+    : source_(std::move(source)),
+      target_(std::move(target)),
+      fit_(source_, target_, kernels),
+      near_target_(neighbors(target_, kernels)),
+      polish_(source_, target_, nullptr, near_target_.get(), coarse_polish(), kernels) {
   fit_.prepare(kQuickStep);
+}
+
+Ranking::Ranking(const Ranking& other, Viewpoints of_source, Viewpoints of_target,
+                 const Kernels& kernels)
+    : Ranking(oriented(other.source_, of_source), oriented(other.target_, of_target), kernels) {
+  of_source_ = std::move(of_source);
+  of_target_ = std::move(of_target);
+  free_space_ = std::make_unique<FreeSpace>(source_, target_, of_source_, of_target_, kernels);
 }
 
 Surface surface(const Cloud& cloud, const Features& features, double leaf) {

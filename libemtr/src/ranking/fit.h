@@ -7,7 +7,7 @@
 
 #include "../neighbors/neighbors.h"
 #include "../rigid.h"
-#include "surface.h"
+#include "../surface.h"
 
 namespace emtr {
 

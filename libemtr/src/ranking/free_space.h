@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "depth_map.h"
-#include "surface.h"
+#include "../surface.h"
 #include "viewpoint.h"
 
 namespace emtr {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "surface.h"
+#include "../surface.h"
 
 namespace emtr {
 

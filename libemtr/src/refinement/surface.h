@@ -1,16 +1,8 @@
 #pragma once
 
-#include "../cloud.h"
+#include "../surface.h"
 
 namespace emtr {
-
-/// A cloud with the directions of its surface, as the local polish takes it. In the normalised
-/// frame, in any order.
-struct Surface {
-  Cloud points;
-  Cloud normals;    ///< one a point; of unit length, of any sign, NaN where there is none
-  double leaf = 0;  ///< spacing of the points, the unit of the polish's lengths; above 0
-};
 
 /// The centroids of the cubes of side `leaf` that hold points (the cubes of voxel_grid(), ordered
 /// by z, then y, then x), each with the normal of all the cloud's own points in the cubes within

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "../support/clouds.h"
-#include "ranking/surface.h"
+#include "surface.h"
 #include "rigid.h"
 
 namespace emtr_test {

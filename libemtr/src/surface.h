@@ -1,13 +1,13 @@
 #pragma once
 
-#include "../cloud.h"
+#include "cloud.h"
 
 namespace emtr {
 
 /// A cloud with the directions of its surface. In the normalised frame, in any order.
 struct Surface {
   Cloud points;
-  Cloud normals;    ///< one a point; of unit length, NaN where there is none
+  Cloud normals;    ///< one a point; of unit length, of any sign, NaN where there is none
   double leaf = 0;  ///< spacing of the points, above 0
 };
 

@@ -1,0 +1,64 @@
+#include "search.h"
+
+#include "escalation.h"
+
+namespace emtr {
+
+CandidateSearch::CandidateSearch(const NormalisedPair& pair, const Ranking& ranking,
+                                 const Settings& settings, const Kernels& kernels)
+    : pair_(pair),
+      ranking_(ranking),
+      settings_(settings),
+      kernels_(kernels),
+      threads_(thread_count(settings)),
+      pool_(std::make_unique<Pool>(ranking)) {}
+
+std::vector<Rigid> CandidateSearch::shortlist(const std::vector<Seed>& seeds) const {
+  std::vector<Rigid> poses, out;
+  for (const Seed& seed : seeds) poses.push_back(seed.pose);
+  Team::with(threads_, [&](Team& team) {
+    out = pool_->shortlist(poses, static_cast<std::size_t>(settings_.candidates), team);
+  });
+  return out;
+}
+
+void CandidateSearch::add(const std::vector<Rigid>& poses, const std::vector<Rigid>& many) {
+  Team::with(threads_, [&](Team& team) {
+    std::vector<Rigid> all =
+        pool_->shortlist(many, static_cast<std::size_t>(settings_.candidates), team);
+    all.insert(all.end(), poses.begin(), poses.end());
+    pool_->add(all, team);
+  });
+}
+
+void CandidateSearch::escalate() {
+  const Viewpoints of_source =
+      viewpoints(ranking_.source(), settings_.has_viewpoint_source, settings_.viewpoint_source,
+                 pair_.frame.center_source);
+  const Viewpoints of_target =
+      viewpoints(ranking_.target(), settings_.has_viewpoint_target, settings_.viewpoint_target,
+                 pair_.frame.center_target);
+  const auto seeds = escalated_seeds(pair_, of_source, of_target, settings_, kernels_, threads_);
+  oriented_ = settings_.free_space
+                  ? std::make_unique<Ranking>(ranking_, of_source, of_target, kernels_)
+                  : std::make_unique<Ranking>(ranking_.source(), ranking_.target(), kernels_);
+  auto pool = std::make_unique<Pool>(*oriented_);
+  Team::with(threads_, [&](Team& team) {
+    std::vector<Rigid> all = pool->shortlist(
+        seeds, static_cast<std::size_t>(settings_.escalation_candidates), team);
+    for (const Candidate& c : pool_->ranked()) all.push_back(c.pose);
+    pool->add(all, team);
+  });
+  pool_ = std::move(pool);
+}
+
+Viewpoints CandidateSearch::viewpoints(const Surface& surface, bool given, const double at[3],
+                                       const double center[3]) const {
+  if (!settings_.free_space) return {};
+  if (!given) return estimate_viewpoints(surface, kernels_);
+  Viewpoint normalised;
+  for (int a = 0; a < 3; ++a) normalised.at[a] = (at[a] - center[a]) / pair_.frame.scale;
+  return given_viewpoint(surface, normalised, kernels_);
+}
+
+}  // namespace emtr

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+
+#include "../frame/frame.h"
+#include "../seeds/seeds.h"
+#include "../settings.h"
+#include "pool.h"
+#include "ranking.h"
+
+namespace emtr {
+
+/// Gathers candidates from all who have some, and more of them when those do not convince.
+class CandidateSearch {
+ public:
+  /// All arguments must outlive it.
+  CandidateSearch(const NormalisedPair& pair, const Ranking& ranking, const Settings& settings,
+                  const Kernels& kernels);
+
+  /// The seeds with the best quick fit, no copies.
+  std::vector<Rigid> shortlist(const std::vector<Seed>& seeds) const;
+
+  /// Takes in poses as they are, and the best of `many`.
+  void add(const std::vector<Rigid>& poses, const std::vector<Rigid>& many);
+
+  /// Searches again with more feature points, and lets free space have its say.
+  void escalate();
+  bool escalated() const { return oriented_ != nullptr; }
+
+  const std::vector<Candidate>& ranked() const { return pool_->ranked(); }
+  /// What the candidates stand on now; with viewpoints after an escalation.
+  const Ranking& ranking() const { return oriented_ ? *oriented_ : ranking_; }
+
+ private:
+  Viewpoints viewpoints(const Surface& surface, bool given, const double at[3],
+                        const double center[3]) const;
+
+  const NormalisedPair& pair_;
+  const Ranking& ranking_;
+  const Settings& settings_;
+  const Kernels& kernels_;
+  const int threads_;
+  std::unique_ptr<Ranking> oriented_;
+  std::unique_ptr<Pool> pool_;
+};
+
+}  // namespace emtr

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "../frame/frame.h"
+#include "../settings.h"
+#include "spectrum.h"
+
+namespace emtr {
+
+/// The answer polished on fine clouds.
+struct Refined {
+  bool succeeded = false;  ///< false: nothing held the pose, which is the one at the start
+  Rigid pose;              ///< normalised frame
+  double rmse = 0;         ///< see Polished
+  double information[36] = {};  ///< see information()
+  Spectrum spectrum;
+};
+
+Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& settings,
+               const Kernels& kernels);
+
+}  // namespace emtr
