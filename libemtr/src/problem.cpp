@@ -61,6 +61,7 @@ void Problem::prepare(const emtr_cloud& source, const emtr_cloud& target,
   FeatureDefinition definition;
   definition.normal_radius = settings.normal_radius * densities.leaf_dense;
   definition.feature_radius = settings.feature_radius * densities.leaf_dense;
+  definition.backend = static_cast<FeatureBackend>(settings.features);
   const int threads = thread_count(settings);
   source_features = describe(densities.source_dense, definition, kernels, threads);
   target_features = describe(densities.target_dense, definition, kernels, threads);
@@ -77,8 +78,11 @@ void Problem::match_features() {
   correspondences = match(source_features, target_features,
                           correspondence_cap(static_cast<std::size_t>(settings.max_tims)), kernels,
                           thread_count(settings));
+  const auto resolution_of = [this](const Cloud& cloud) {
+    return mean_resolution(cloud, densities.leaf_dense, kernels, thread_count(settings));
+  };
   const double resolution =
-      (mean_resolution(densities.source_dense) + mean_resolution(densities.target_dense)) / 2;
+      (resolution_of(densities.source_dense) + resolution_of(densities.target_dense)) / 2;
   tau = settings.tau_factor * resolution;
   tims = form_tims(densities.source_dense, densities.target_dense, correspondences,
                    TaskBeta::threshold(tau, settings));

@@ -76,6 +76,7 @@ typedef struct emtr_settings {
   double normal_radius;  /* dense leaves */
   double feature_radius; /* dense leaves */
   int32_t max_tims;      /* cap on pairs of correspondences */
+  int32_t features;      /* normals and FPFH: 0 by PCL's functions, 1 by our inner loops */
 
   /* task beta */
   double tau_factor;       /* tau / mean resolution of the feature clouds */
