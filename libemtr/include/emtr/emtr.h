@@ -35,9 +35,8 @@ typedef enum emtr_status {
   EMTR_ERROR_ARGUMENT = 1, /* a null pointer, a wrong size field, a bad stride or type */
   EMTR_ERROR_SETTING = 2,  /* an unknown setting, a value out of range, a contradiction */
   EMTR_ERROR_CLOUD = 3,    /* a cloud that cannot be registered: too few points, no extent */
-  EMTR_ERROR_MEMORY =
-      4, /* an allocation failed (in the parallel loops of PCL it ends the process) */
-  EMTR_ERROR_INTERNAL = 5 /* a defect of the library or of what it is built on */
+  EMTR_ERROR_MEMORY = 4,   /* an allocation failed */
+  EMTR_ERROR_INTERNAL = 5  /* a defect of the library or of what it is built on */
 } emtr_status;
 
 /* What a status means in general, in a few words. Never null. */
