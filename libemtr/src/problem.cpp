@@ -88,8 +88,11 @@ void Problem::match_features() {
   correspondences = match(source_features, target_features,
                           static_cast<std::size_t>(settings.max_correspondences), kernels,
                           thread_count(settings));
+  const auto resolution_of = [this](const Cloud& cloud) {
+    return mean_resolution(cloud, densities.leaf_dense, kernels, thread_count(settings));
+  };
   const double resolution =
-      (mean_resolution(densities.source_dense) + mean_resolution(densities.target_dense)) / 2;
+      (resolution_of(densities.source_dense) + resolution_of(densities.target_dense)) / 2;
   tau = settings.tau_factor * resolution;
   // The best of them are enough for the tasks; all of them look for seeds.
   const std::size_t few = std::min(correspondences.size(),

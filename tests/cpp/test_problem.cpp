@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "error.h"
@@ -69,6 +70,26 @@ TEST(Problem, UnrelatedCloudsAreNotRegistered) {
   const emtr_cloud target{plate.data(), flat.size(), 0, EMTR_FLOAT32};
   const emtr::Problem problem(a.source(), target, emtr::preset("paper"), nullptr);
   EXPECT_FALSE(problem.solve(nullptr)->registered);
+}
+
+TEST(Problem, FeaturesAreOfTheBackendThatTheSettingNames) {
+  const emtr_test::Pair pair(10, 4000);
+  for (const auto backend : {emtr::FeatureBackend::Pcl, emtr::FeatureBackend::Simd}) {
+    emtr::Settings settings = emtr::preset("paper");
+    EXPECT_EQ(settings.features, 0);
+    emtr::set(settings, "features", static_cast<double>(backend));
+    const emtr::Problem problem(pair.source(), pair.target(), settings, nullptr);
+    const double leaf = problem.densities.leaf_dense;
+    emtr::FeatureDefinition definition;
+    definition.normal_radius = 2 * leaf;
+    definition.feature_radius = 5 * leaf;
+    definition.backend = backend;
+    const auto expected =
+        emtr::describe(problem.densities.source_dense, definition, problem.kernels, 1);
+    EXPECT_EQ(0, std::memcmp(problem.source_features.descriptors.data(),
+                             expected.descriptors.data(), 4 * expected.descriptors.size()));
+    EXPECT_TRUE(problem.solve(nullptr)->registered);
+  }
 }
 
 TEST(Problem, RefusesBadSettings) {

@@ -57,6 +57,8 @@ CellGrid::CellGrid(const Cloud& cloud, double side) : side_(side * (1 + 4 * kRou
   }
 }
 
+bool CellGrid::spans(int reach) const { return reach >= std::max({size_[0], size_[1], size_[2]}); }
+
 int CellGrid::reach(double radius) const {
   const double longest = static_cast<double>(std::max({size_[0], size_[1], size_[2]}));
   return static_cast<int>(std::min(std::ceil(radius * (1 + kRounding) / side_), longest));
@@ -101,7 +103,7 @@ void NeighborList::gather(const Cloud& sorted, const std::vector<CellGrid::Range
   }
   for (; at < size; ++at) {
     points.x[at] = points.y[at] = points.z[at] = kFarAway;
-    rows[at] = 0;
+    rows[at] = at > 0 ? rows[at - 1] : 0;  // ascending to the end
   }
 }
 

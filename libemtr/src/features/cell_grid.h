@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "../cloud.h"
+#include "../team.h"
 
 namespace emtr {
 
@@ -18,6 +20,9 @@ class CellGrid {
   std::size_t occupied() const { return occupied_.size(); }
   std::uint32_t begin(std::size_t cell) const { return begin_[occupied_[cell]]; }
   std::uint32_t end(std::size_t cell) const { return begin_[occupied_[cell] + 1]; }
+
+  double side() const { return side_; }  ///< of the cells in use
+  bool spans(int reach) const;           ///< whether all cells are within reach of each
 
   /// How many cells away a point that is nearer than `radius` can lie.
   int reach(double radius) const;
@@ -37,6 +42,16 @@ class CellGrid {
   double side_;
   std::vector<std::uint32_t> begin_, occupied_;
 };
+
+/// Calls work(cell, thread) for each occupied cell.
+template <class Work>
+void for_each_cell(const CellGrid& grid, Team& team, const Work& work) {
+  constexpr std::size_t piece = 16;  // cells that are too little work to be given out alone
+  team.parallel((grid.occupied() + piece - 1) / piece, [&](std::size_t i, std::size_t thread) {
+    const std::size_t end = std::min(grid.occupied(), (i + 1) * piece);
+    for (std::size_t cell = i * piece; cell < end; ++cell) work(cell, thread);
+  });
+}
 
 /// Points near one cell as one list for the kernels, padded to kListStep.
 struct NeighborList {

@@ -1,75 +1,118 @@
-#include <pcl/features/fpfh_omp.h>
-#include <pcl/features/normal_3d_omp.h>
-#include <pcl/search/kdtree.h>
+#include <pcl/features/fpfh.h>
+#include <pcl/features/normal_3d.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "fpfh_backends.h"
+#include "neighborhood.h"
 #include "pcl_cloud.h"
 
 namespace emtr {
 namespace {
 
-using Points = pcl::PointCloud<pcl::PointXYZ>;
-using Normals = pcl::PointCloud<pcl::Normal>;
-using Tree = pcl::search::KdTree<pcl::PointXYZ>;
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
-Normals::Ptr estimate_normals(const Points::Ptr& points, const FeatureDefinition& definition,
-                              int threads) {
-  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(
-      static_cast<unsigned int>(threads));
-  estimation.setInputCloud(points);
-  estimation.setSearchMethod(pcl::make_shared<Tree>());
-  estimation.setRadiusSearch(definition.normal_radius);
-  const auto& [x, y, z] = definition.viewpoint;
-  estimation.setViewPoint(x, y, z);
-  auto normals = pcl::make_shared<Normals>();
-  estimation.compute(*normals);
-  return normals;
-}
+/// PCL's functions over one grid. Neighbours are looked up anew for each of the three steps: that
+/// is a small part of the time, and all lists together could be larger than the memory.
+class Description {
+ public:
+  Description(const Cloud& cloud, const FeatureDefinition& definition, std::size_t threads)
+      : definition_(definition),
+        points_(to_pcl(cloud)),
+        grid_(cloud, std::max(definition.normal_radius, definition.feature_radius / 2)),
+        scratch_(threads),
+        features_{std::vector<float>(3 * cloud.size(), kNone),
+                  std::vector<float>(kFeatureSize * cloud.size(), kNone)} {
+    normals_.resize(cloud.size());
+    const auto rows = static_cast<Eigen::Index>(cloud.size());
+    for (Eigen::MatrixXf& histograms : histograms_) histograms.setZero(rows, kBins);
+  }
+
+  Features run(Team& team) {
+    const bool ordered = true;
+    for_each_point(team, definition_.normal_radius, [this](std::size_t i, Scratch& s) {
+      s.neighbors.find(grid_, i, ordered, [](std::size_t) { return true; });
+      estimate_normal(row(i), s.neighbors.index);
+    });
+    // FPFH must not meet a NaN, so it sees only the points that have a normal.
+    const auto keep = [this](std::size_t k) { return has_normal(row(k)); };
+    for_each_point(team, definition_.feature_radius, [&](std::size_t i, Scratch& s) {
+      if (!keep(i)) return;
+      s.neighbors.find(grid_, i, !ordered, keep);  // it only counts
+      const auto at = static_cast<pcl::index_t>(row(i));
+      s.fpfh.computePointSPFHSignature(*points_, normals_, at, at, s.neighbors.index,
+                                       histograms_[0], histograms_[1], histograms_[2]);
+    });
+    for_each_point(team, definition_.feature_radius, [&](std::size_t i, Scratch& s) {
+      if (!keep(i)) return;
+      s.neighbors.find(grid_, i, ordered, keep);
+      s.fpfh.weightPointSPFHSignature(histograms_[0], histograms_[1], histograms_[2],
+                                      s.neighbors.index, s.neighbors.squared, s.histogram);
+      keep_histogram(row(i), s.histogram.data());
+    });
+    return std::move(features_);
+  }
+
+ private:
+  struct Scratch {
+    Neighborhood neighbors;
+    pcl::FPFHEstimation<pcl::PointXYZ, pcl::Normal, pcl::FPFHSignature33> fpfh;
+    Eigen::VectorXf histogram;
+  };
+
+  template <class Work>
+  void for_each_point(Team& team, double radius, const Work& work) {
+    for_each_cell(grid_, team, [&](std::size_t cell, std::size_t thread) {
+      Scratch& s = scratch_[thread];
+      s.neighbors.look_around(grid_, cell, radius);
+      for (std::size_t i = grid_.begin(cell); i < grid_.end(cell); ++i) work(i, s);
+    });
+  }
+
+  std::size_t row(std::size_t sorted) const { return static_cast<std::size_t>(grid_.rows[sorted]); }
+  bool has_normal(std::size_t at) const { return std::isfinite(normals_[at].normal_x); }
+
+  void estimate_normal(std::size_t at, const pcl::Indices& neighbors) {
+    pcl::Normal& normal = normals_[at];
+    Eigen::Vector4f plane;
+    if (!pcl::computePointNormal(*points_, neighbors, plane, normal.curvature)) {
+      normal.normal_x = normal.normal_y = normal.normal_z = kNone;
+      return;
+    }
+    normal.normal_x = plane[0];
+    normal.normal_y = plane[1];
+    normal.normal_z = plane[2];
+    const auto& [x, y, z] = definition_.viewpoint;
+    pcl::flipNormalTowardsViewpoint((*points_)[at], x, y, z, normal.normal_x, normal.normal_y,
+                                    normal.normal_z);
+    if (has_normal(at)) std::copy_n(normal.normal, 3, &features_.normals[3 * at]);
+  }
+
+  void keep_histogram(std::size_t at, const float* histogram) {
+    // A point alone in its neighbourhood gets an empty histogram, which would match any other.
+    const float sum = std::accumulate(histogram, histogram + kFeatureSize, 0.0f);
+    if (std::isfinite(sum) && sum > 0)
+      std::copy_n(histogram, kFeatureSize, &features_.descriptors[at * kFeatureSize]);
+  }
+
+  const FeatureDefinition& definition_;
+  pcl::PointCloud<pcl::PointXYZ>::Ptr points_;
+  CellGrid grid_;
+  std::vector<Scratch> scratch_;
+  pcl::PointCloud<pcl::Normal> normals_;
+  Eigen::MatrixXf histograms_[3];  // (points, bins) of each angle
+  Features features_;
+};
 
 }  // namespace
 
 Features describe_by_pcl(const Cloud& cloud, const FeatureDefinition& definition, int threads) {
-  const std::size_t n = cloud.size();
-  const auto points = to_pcl(cloud);
-  const auto normals = estimate_normals(points, definition, threads);
-
-  // FPFH must not meet a NaN, so it sees only the points that have a normal.
-  auto kept_points = pcl::make_shared<Points>();
-  auto kept_normals = pcl::make_shared<Normals>();
-  std::vector<std::size_t> kept;
-  Features features{std::vector<float>(3 * n, kNone), std::vector<float>(kFeatureSize * n, kNone)};
-  for (std::size_t i = 0; i < n; ++i) {
-    const pcl::Normal& normal = (*normals)[i];
-    if (!std::isfinite(normal.normal_x)) continue;
-    kept.push_back(i);
-    kept_points->push_back((*points)[i]);
-    kept_normals->push_back(normal);
-    std::copy_n(normal.normal, 3, &features.normals[3 * i]);
-  }
-  if (kept.empty()) return features;
-
-  pcl::FPFHEstimationOMP<pcl::PointXYZ, pcl::Normal, pcl::FPFHSignature33> estimation(
-      static_cast<unsigned int>(threads));
-  estimation.setInputCloud(kept_points);
-  estimation.setInputNormals(kept_normals);
-  estimation.setSearchMethod(pcl::make_shared<Tree>());
-  estimation.setRadiusSearch(definition.feature_radius);
-  pcl::PointCloud<pcl::FPFHSignature33> signatures;
-  estimation.compute(signatures);
-
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    const float* histogram = signatures[k].histogram;
-    // A point alone in its neighbourhood gets an empty histogram, which would match any other.
-    const float sum = std::accumulate(histogram, histogram + kFeatureSize, 0.0f);
-    if (std::isfinite(sum) && sum > 0)
-      std::copy_n(histogram, kFeatureSize, &features.descriptors[kept[k] * kFeatureSize]);
-  }
-  return features;
+  Features out;
+  Description description(cloud, definition, static_cast<std::size_t>(threads));
+  Team::with(threads, [&](Team& team) { out = description.run(team); });
+  return out;
 }
 
 }  // namespace emtr

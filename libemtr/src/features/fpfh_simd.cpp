@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../team.h"
 #include "cell_grid.h"
 #include "fpfh_backends.h"
 
@@ -9,7 +8,6 @@ namespace emtr {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr std::size_t kCellsOfAPiece = 16;
 
 class Description {
  public:
@@ -29,8 +27,12 @@ class Description {
 
   Features run(Team& team) {
     estimate_normals(team);
-    for_each_cell(team, [this](std::size_t cell, Scratch& s) { pair_histograms(cell, s); });
-    for_each_cell(team, [this](std::size_t cell, Scratch& s) { weigh_histograms(cell, s); });
+    for_each_cell(grid_, team, [this](std::size_t cell, std::size_t thread) {
+      pair_histograms(cell, scratch_[thread]);
+    });
+    for_each_cell(grid_, team, [this](std::size_t cell, std::size_t thread) {
+      weigh_histograms(cell, scratch_[thread]);
+    });
     return std::move(features_);
   }
 
@@ -40,17 +42,6 @@ class Description {
     NeighborList list;
     Cloud normals;  // of the list
   };
-
-  template <class Work>
-  void for_each_cell(Team& team, const Work& work) {
-    const std::size_t cells = grid_.occupied();
-    team.parallel((cells + kCellsOfAPiece - 1) / kCellsOfAPiece,
-                  [&](std::size_t piece, std::size_t thread) {
-                    const std::size_t end = std::min(cells, (piece + 1) * kCellsOfAPiece);
-                    for (std::size_t c = piece * kCellsOfAPiece; c < end; ++c)
-                      work(c, scratch_[thread]);
-                  });
-  }
 
   void gather(std::size_t cell, double radius, const Cloud& points, Scratch& s) const {
     grid_.around(cell, grid_.reach(radius), s.ranges);
@@ -63,7 +54,8 @@ class Description {
   bool has_normal(std::size_t i) const { return normals_.x[i] == normals_.x[i]; }
 
   void estimate_normals(Team& team) {
-    for_each_cell(team, [this](std::size_t cell, Scratch& s) {
+    for_each_cell(grid_, team, [this](std::size_t cell, std::size_t thread) {
+      Scratch& s = scratch_[thread];
       gather(cell, definition_.normal_radius, grid_.sorted, s);
       for (std::size_t i = grid_.begin(cell); i < grid_.end(cell); ++i)
         kernels_.moments(s.list.points.view(), point(i).data(), squared(definition_.normal_radius),

@@ -2,10 +2,8 @@
 
 #include <cmath>
 #include <cstring>
-#include <random>
 
 #include "features/fpfh.h"
-#include "features/resolution.h"
 #include "support/clouds.h"
 
 namespace {
@@ -150,12 +148,6 @@ TEST_P(BothBackends, MirroredAreThoseOfTurnedNormals) {
   }
   EXPECT_LT(moved, above.descriptors.size() / 500);
   EXPECT_GT(differ, above.descriptors.size() / 10);  // or the test says nothing
-}
-
-TEST(Resolution, IsTheMeanDistanceToTheNearestOther) {
-  emtr::Cloud cloud;
-  for (const float x : {0.0f, 1.0f, 3.0f}) emtr_test::push(cloud, x, 0, 0);
-  EXPECT_DOUBLE_EQ(emtr::mean_resolution(cloud), (1.0 + 1.0 + 2.0) / 3);
 }
 
 }  // namespace

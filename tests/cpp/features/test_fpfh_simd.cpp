@@ -2,14 +2,9 @@
 
 #include <cstring>
 
-#include "features/fpfh.h"
 #include "features/matching.h"
-#include "frame/densities.h"
-#include "frame/frame.h"
-#include "settings.h"
 #include "support/agreement.h"
-#include "support/clouds.h"
-#include "support/real_pairs.h"
+#include "support/dense.h"
 
 namespace {
 
@@ -19,23 +14,7 @@ using emtr::FeatureDefinition;
 using emtr::Features;
 using emtr_test::Agreement;
 using emtr_test::agreement;
-
-struct Dense {
-  Cloud source, target;
-  FeatureDefinition definition;
-};
-
-/// As a registration would describe the pair.
-template <class AnyPair>
-Dense dense(const AnyPair& pair, int points = 4000) {
-  emtr::Settings settings = emtr::preset("paper");
-  settings.dense_points = points;
-  const emtr::Densities d = emtr::thin(emtr::normalise(pair.source(), pair.target()), settings);
-  FeatureDefinition definition;
-  definition.normal_radius = settings.normal_radius * d.leaf_dense;
-  definition.feature_radius = settings.feature_radius * d.leaf_dense;
-  return {d.source_dense, d.target_dense, definition};
-}
+using emtr_test::Dense;
 
 Features described(const Cloud& cloud, FeatureDefinition definition, FeatureBackend backend,
                    const emtr::Kernels& kernels = emtr::select_kernels()) {
@@ -89,7 +68,7 @@ void expect_the_same_matches(const Dense& d) {
 }
 
 TEST(FpfhSimd, AgreesWithPclOnGeneratedClouds) {
-  const Dense d = dense(emtr_test::Pair(3));
+  const Dense d = emtr_test::dense(emtr_test::Pair(3));
   expect_agreement(d.source, d.definition);
   expect_agreement(d.target, d.definition);
   expect_the_same_matches(d);
@@ -103,24 +82,17 @@ TEST(FpfhSimd, AgreesWithPclInAVolume) {  // neighbours on all sides
 }
 
 class FpfhSimdOnRealPairs : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Data, FpfhSimdOnRealPairs,
-                         testing::Values("stanford/bunny_000_090", "lidar/car_01_00",
-                                         "threedmatch/redkitchen_1_0_3dmatch",
-                                         "modelnet/bathtub_0108_crop"),
-                         [](const auto& instance) {
-                           const std::string name = instance.param;
-                           return name.substr(0, name.find('/'));
-                         });
+INSTANTIATE_TEST_SUITE_P(Data, FpfhSimdOnRealPairs, testing::ValuesIn(emtr_test::kRealPairs));
 
 TEST_P(FpfhSimdOnRealPairs, AgreesWithPcl) {
   if (!emtr_test::RealPair::available()) GTEST_SKIP() << "EMTR_DATA is not set";
-  const Dense d = dense(emtr_test::RealPair(GetParam()));
+  const Dense d = emtr_test::dense(emtr_test::RealPair(GetParam()));
   expect_agreement(d.source, d.definition);
   expect_the_same_matches(d);
 }
 
 TEST(FpfhSimd, IsTheSameBitsInEachKernel) {
-  const Dense d = dense(emtr_test::Pair(5));
+  const Dense d = emtr_test::dense(emtr_test::Pair(5));
   FeatureDefinition wide;  // lists longer than what the kernels look at in one go
   wide.normal_radius = wide.feature_radius = 3;
   Cloud flat = emtr_test::uniform_cloud(1103, 8, 1, 0);
