@@ -24,7 +24,7 @@ void require(bool holds, const char* what) {
   if (!holds) throw Error(EMTR_ERROR_ARGUMENT, std::string("polish: ") + what);
 }
 
-void check(const Polish& s) {
+const Polish& checked(const Polish& s) {
   require(s.last_scale > 0 && s.first_scale >= s.last_scale && std::isfinite(s.first_scale),
           "expected 0 < last_scale <= first_scale");
   require(s.shrink > 0 && s.shrink < 1, "expected shrink in (0, 1)");
@@ -35,6 +35,7 @@ void check(const Polish& s) {
   require(s.iterations >= 1, "expected 1 iteration or more");
   require(s.queries >= 1 && s.first_queries >= 1, "expected 1 query or more");
   require(s.least_inliers >= 6, "expected least_inliers of 6 or more");
+  return s;
 }
 
 /// The Gauss-Newton step.
@@ -91,12 +92,11 @@ LocalPolish::Side LocalPolish::prepare(const Surface& surface, const Neighbors* 
 LocalPolish::LocalPolish(const Surface& source, const Surface& target, const Neighbors* near_source,
                          const Neighbors* near_target, const Polish& settings,
                          const Kernels& kernels)
-    : settings_(settings),
+    : settings_(checked(settings)),
       leaf_(target.leaf),
       source_(prepare(source, near_target, settings)),
       target_(prepare(target, near_source, settings)),
       kernels_(kernels) {
-  check(settings);
   require(near_target, "expected the neighbours of the target");
   require(near_source || !settings.both_ways, "expected the neighbours of the source");
 }

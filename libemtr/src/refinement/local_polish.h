@@ -14,21 +14,23 @@
 namespace emtr {
 
 /// How a pose is polished. Lengths are in leaves of the target's surface. The defaults are for the
-/// last polish of one pose on fine surfaces (leaf 0.01 to 0.015); coarse_polish() is for many.
+/// last polish of one pose, a degree or two and 0.03 off, on fine surfaces: leaf 0.015, but no
+/// finer than two spacings of the coarser cloud. coarse_polish() is for many.
 struct Polish {
-  double first_scale = 3;      ///< Tukey's cut-off of the residuals at the start; > 0
-  double last_scale = 0.5;     ///< and at the end; > 0, at most first_scale
-  double shrink = 0.6;         ///< the cut-off of an iteration by that of the one before; in (0, 1)
-  double reach = 1.5;          ///< farthest match, but never below the cut-off in use; > 0. The
-                               ///< neighbours' radius bounds it too
-  double normal_gate = 0.7;    ///< least |cosine| between the normals of a match; in [0, 1)
-  double softness = 2e-3;      ///< eps of PlaneToPlane: variance along normals by that in planes;
-                               ///< in (0, 1). 0.002 bears normals that differ by 5 degrees
-  double step = 1e-4;          ///< stop below this step (rotation in radians and shift in leaves of
-                               ///< the unit ball's surface); > 0
-  int iterations = 25;         ///< at most; >= 1
-  std::size_t queries = 6000;  ///< points of each cloud that look for a match, spread evenly
-                               ///< over those with a normal; >= 1
+  double first_scale = 3;    ///< Tukey's cut-off of the residuals at the start; > 0
+  double last_scale = 0.7;   ///< and at the end; > 0, at most first_scale
+  double shrink = 0.6;       ///< the cut-off of an iteration by that of the one before; in (0, 1)
+  double reach = 1.5;        ///< farthest match, but never below the cut-off in use; > 0. The
+                             ///< neighbours' radius bounds it too
+  double normal_gate = 0.7;  ///< least |cosine| between the normals of a match; in [0, 1)
+  double softness = 3e-3;    ///< eps of PlaneToPlane: variance along normals by that in planes; in
+                             ///< (0, 1). A match whose normals differ by 6 degrees counts half with
+                             ///< 0.003; noisy scans like up to 0.03
+  double step = 5e-3;        ///< done when a step (radians and shift together) is below so many
+                             ///< leaves; > 0. Noisy matches keep changing places below 0.001
+  int iterations = 25;       ///< at most; >= 1
+  std::size_t queries = 6000;        ///< points of each cloud that look for a match, spread evenly
+                                     ///< over those with a normal; >= 1
   std::size_t first_queries = 1500;  ///< the same while the cut-off still shrinks; >= 1
   bool both_ways = true;             ///< target points look for a match in the source too
   std::size_t least_inliers = 30;    ///< fewer hold no pose; >= 6

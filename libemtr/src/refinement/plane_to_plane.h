@@ -40,27 +40,30 @@ class PlaneToPlane {
     const double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
     const double c = std::abs(cosine);
     if (!(c > gate_)) return;  // not for a NaN either
-    const double length = 1 / std::sqrt(2 + 2 * c), sign = cosine < 0 ? -length : length;
-    const double u[3] = {length * n[0] + sign * m[0], length * n[1] + sign * m[1],
-                         length * n[2] + sign * m[2]};
-    const double e = u[0] * d[0] + u[1] * d[1] + u[2] * d[2];
-    const double along = 2 * eps_ / (2 * eps_ + (1 - eps_) * (1 - c)) - eps_;
-    const double cost = along * e * e + eps_ * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    // u = v / |v|, which enters in squares only: no root is taken.
+    const double sign = cosine < 0 ? -1 : 1, squared_length = 2 + 2 * c,
+                 variance = 2 * eps_ + (1 - eps_) * (1 - c);
+    const double inverse = 1 / (squared_length * variance);
+    const double along = 2 * eps_ * squared_length * inverse - eps_;
+    const double v[3] = {n[0] + sign * m[0], n[1] + sign * m[1], n[2] + sign * m[2]};
+    const double e = v[0] * d[0] + v[1] * d[1] + v[2] * d[2];
+    const double squared = e * e * variance * inverse;  // (u.d)^2
+    const double cost = along * squared + eps_ * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     const double bend = 1 - cost * inverse_;
     if (!(bend > 0)) return;
     const double tukey = bend * bend, w = tukey * along;
-    const double J[6] = {y[1] * u[2] - y[2] * u[1],
-                         y[2] * u[0] - y[0] * u[2],
-                         y[0] * u[1] - y[1] * u[0],
-                         u[0],
-                         u[1],
-                         u[2]};
-    sums.add_normal(J, e, w);
+    const double J[6] = {y[1] * v[2] - y[2] * v[1],
+                         y[2] * v[0] - y[0] * v[2],
+                         y[0] * v[1] - y[1] * v[0],
+                         v[0],
+                         v[1],
+                         v[2]};
+    sums.add_normal(J, e, w * variance * inverse);
     sums.add_difference(y, d, tukey * eps_);
     sums.weights += w;
-    sums.squares += w * e * e;
-    sums.forces += w * w * e * e;
-    sums.slopes += along * bend * (bend - 4 * along * e * e * inverse_);
+    sums.squares += w * squared;
+    sums.forces += w * w * squared;
+    sums.slopes += along * bend * (bend - 4 * along * squared * inverse_);
     sums.inliers += 1;
   }
 

@@ -12,12 +12,18 @@ Spectrum spectrum(const NormalEquations& sums) {
   out.free = 6;
   if (!(sums.weights > 0)) return out;
   const double* t = sums.tangents;
-  out.radius = std::sqrt((t[4] + t[7] + t[9]) / t[0]);
+  const Eigen::Vector3d center = Eigen::Vector3d::Map(t + 1) / t[0];
+  Eigen::Vector3d::Map(out.center) = center;
+  out.radius = std::sqrt(std::max(0.0, (t[4] + t[7] + t[9]) / t[0] - center.squaredNorm()));
+  if (!(out.radius > 0)) return out;  // all on one point
   Matrix6 H;
   sums.normal_matrix(H.data());
-  H /= sums.weights;
-  H.topRows<3>() /= out.radius;
-  H.leftCols<3>() /= out.radius;
+  // J about the centre: (y - c) x n = y x n - c x n.
+  Matrix6 about = Matrix6::Identity();
+  about.topRightCorner<3, 3>() << 0, center.z(), -center.y(), -center.z(), 0, center.x(),
+      center.y(), -center.x(), 0;
+  about.topRows<3>() /= out.radius;
+  H = about * H * about.transpose() / sums.weights;
   const Eigen::SelfAdjointEigenSolver<Matrix6> solver(H);
   for (int k = 0; k < 6; ++k) {
     out.values[k] = std::max(0.0, solver.eigenvalues()[k]);

@@ -4,16 +4,18 @@
 
 namespace emtr {
 
-/// What the matched surfaces hold a pose by: the eigenvalues of their Hessian, with rotations
-/// measured by how far they move a point at `radius`, so that all six directions are lengths.
+/// What the matched surfaces hold a pose by: the eigenvalues of their Hessian for motions about the
+/// matches' own centroid, with rotations measured by how far they move a point at `radius` from it,
+/// so that all six directions are lengths and neither the size nor the place of the overlap counts.
 /// An eigenvalue is the mean square of the shift along the normals for a motion of length 1: the
 /// three shifts have 1 between them, a direction that slides a surface along itself has none. A
 /// plane leaves two slides and one spin free, a sphere three spins, a cylinder a slide and a spin.
 struct Spectrum {
   double values[6] = {};         ///< ascending, dimensionless, of [0, about 1]
-  double directions[6][6] = {};  ///< unit vectors, one a row: rotation * radius, then shift
-  double radius = 1;             ///< root mean square distance of the matched points from the
-                                 ///< origin of the target's normalised frame
+  double directions[6][6] = {};  ///< unit vectors, one a row: rotation vector * radius, then the
+                                 ///< shift of the centre; in the axes of the target's frame
+  double center[3] = {};         ///< of the matched points, in the target's normalised frame
+  double radius = 0;             ///< their root mean square distance from it
   int free = 0;                  ///< how many values lie below kFreeDirection
 
   /// Smallest by largest eigenvalue, of [0, 1]: 0 when something is free.

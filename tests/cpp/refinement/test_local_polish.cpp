@@ -157,6 +157,8 @@ TEST(LocalPolish, RefusesWhatItCannotUse) {
   refuses([](Polish& s) { s.step = std::numeric_limits<double>::quiet_NaN(); });
   refuses([](Polish& s) { s.iterations = 0; });
   refuses([](Polish& s) { s.queries = 0; });
+  refuses([](Polish& s) { s.first_queries = 0; });
+  refuses([](Polish& s) { s.least_inliers = 5; });
 
   const auto near = emtr::make_brute_force(target.points, 0.1f);
   const auto build = [&](const Surface& s, const emtr::Neighbors* near_source) {

@@ -20,7 +20,8 @@ Spectrum spectrum_of(const std::function<emtr::Cloud(std::uint64_t, std::size_t,
   return emtr::spectrum(polisher(emtr::Rigid()).sums);
 }
 
-/// How much of a motion (rotation vector, then shift) lies in the free directions, of [0, 1].
+/// How much of a motion (rotation vector about the centre, then shift) lies in the free directions,
+/// of [0, 1].
 double free_part(const Spectrum& s, Vector6 motion) {
   motion.head<3>() *= s.radius;
   motion.normalize();
@@ -65,6 +66,23 @@ TEST(Spectrum, OfACubeNamesNone) {
   EXPECT_EQ(s.free, 0);
   EXPECT_GT(s.condition(), 0.1);
   EXPECT_GT(s.values[0], 0.03);
+}
+
+TEST(Spectrum, DoesNotDependOnWhereAndHowLargeTheOverlapIs) {
+  // A corner of the cube, small and far from the origin, is as firm as a corner anywhere.
+  const auto corner = [](std::uint64_t seed, std::size_t n, double noise) {
+    return emtr_test::Draw(seed).cloud(n, noise, [](emtr_test::Draw& d) {
+      Eigen::Vector3d p(d.uniform(0, 0.3), d.uniform(0, 0.3), d.uniform(0, 0.3));
+      p[static_cast<int>(d.uniform(0, 3))] = 0;
+      return Eigen::Vector3d(p + Eigen::Vector3d(0.5, 0.45, -0.4));
+    });
+  };
+  const Spectrum s = spectrum_of(corner);
+  EXPECT_EQ(s.free, 0);
+  EXPECT_GT(s.values[0], 0.02);
+  EXPECT_LT(s.radius, 0.3);
+  EXPECT_NEAR(s.center[0], 0.6, 0.03);
+  EXPECT_NEAR(s.center[2], -0.3, 0.03);
 }
 
 TEST(Spectrum, OfNothingIsAllFree) {
