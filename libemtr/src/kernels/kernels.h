@@ -11,14 +11,21 @@ namespace emtr {
 
 constexpr std::size_t kLanes = 8;  ///< floats that are worked on side by side, in every kernel
 
-/// A candidate grid (see neighbors/candidate_grid) as bare arrays. Cell c lists the candidates
-/// begin[c] to begin[c + 1], a multiple of kLanes.
+/// 32 cells: a bit each for those that list candidates, and how many do before them.
+struct CellGroup {
+  std::uint32_t occupied, before;
+};
+
+/// A candidate grid (see neighbors/candidate_grid) as bare arrays. Candidates stand in blocks of
+/// kLanes x, kLanes y, kLanes z. The k-th occupied cell lists block k and then the blocks more[k]
+/// to more[k + 1].
 struct GridView {
   float origin[3], inverse_cell;
-  std::int32_t size[3];  ///< cells along each axis
+  std::int32_t size[3];  ///< cells along each axis; queries beyond belong to the cell at the edge
   float limit;           ///< squared radius, the answer where nothing is nearer
-  const std::uint32_t* begin;
-  const float *x, *y, *z;
+  const CellGroup* groups;
+  const std::uint32_t* more;
+  const float* blocks;
 };
 
 /// Points as a structure of arrays.

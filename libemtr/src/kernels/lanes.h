@@ -97,6 +97,7 @@ EMTR_UNARY(Ints, Floats, sign_of, (typename Register<N>::Int)a.v&(-0x7fffffff - 
 EMTR_BINARY(Floats, Floats, Ints, turned,
             (typename Register<N>::Float)((typename Register<N>::Int)a.v ^ b.v))
 EMTR_BINARY(Floats, Floats, Floats, least, b.v < a.v ? b.v : a.v)
+EMTR_BINARY(Floats, Floats, Floats, most, a.v > b.v ? a.v : b.v)  // b where a is no number
 // Towards zero.
 EMTR_UNARY(Ints, Floats, truncated, __builtin_convertvector(a.v, typename Register<N>::Int))
 // `a` where the mask b is set, else 0.
@@ -241,6 +242,29 @@ EMTR_INLINE float least_of(const Floats<16>& a) {
   return least_of(least(low, high));
 #else
   return least_of(least(a.low, a.high));
+#endif
+}
+
+/// The least of each of four times eight.
+EMTR_INLINE Floats<4> least_of_each(const Floats<8>* a) {
+#if EMTR_REGISTER >= 8
+  const auto halved = [](const auto& v, const auto& w) {  // pairs of v's lanes beside w's
+    const auto even = __builtin_shufflevector(v, w, 0, 2, 8, 10, 4, 6, 12, 14);
+    const auto odd = __builtin_shufflevector(v, w, 1, 3, 9, 11, 5, 7, 13, 15);
+    return even < odd ? even : odd;
+  };
+  const auto v = halved(halved(a[0].v, a[1].v), halved(a[2].v, a[3].v));
+  const auto low = __builtin_shufflevector(v, v, 0, 1, 2, 3);
+  const auto high = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+  return {low < high ? low : high};
+#else
+  const auto halved = [](const auto& v, const auto& w) {
+    const auto even = __builtin_shufflevector(v, w, 0, 2, 4, 6);
+    const auto odd = __builtin_shufflevector(v, w, 1, 3, 5, 7);
+    return even < odd ? even : odd;
+  };
+  const auto four = [&](int i) { return least(a[i].low, a[i].high).v; };
+  return {halved(halved(four(0), four(1)), halved(four(2), four(3)))};
 #endif
 }
 

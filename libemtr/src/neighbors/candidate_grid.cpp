@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -7,46 +8,34 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kMostCells = std::size_t{1} << 22;
-constexpr float kFar = 1e18f;  // padding: its square is finite and beyond every radius
-/// Bounds of distances between boxes and points are widened by this, so that no rounding can
-/// leave out a candidate.
+// Limits that keep a grid below 300 MB. Only a cloud of more points than kMostCandidates exceeds
+// the second.
+constexpr double kMostCells = 1 << 22;
+constexpr std::size_t kMostCandidates = std::size_t{1} << 24;
+constexpr std::int32_t kMostAlong = 4096;  // cells an axis
+constexpr std::size_t kLine = 16;          // floats of a cache line
+constexpr float kFar = 1e18f;              // padding: its square is finite and beyond every radius
+/// Squared distances between boxes and points are widened by this, and boxes by margin(), so that
+/// no rounding can leave out a candidate.
 constexpr float kSlack = 1e-4f;
 
-struct Box {
-  float low[3], high[3];
+/// Squared distances along one axis from a point to the nearest and the farthest place of each
+/// cell that it may reach.
+struct Reach {
+  std::int32_t low, high;  // cells, both included
+  std::vector<float> nearest, farthest;
 };
-
-/// Squared distance from a point to the nearest and to the farthest place of a box.
-float nearest_squared(const Box& box, const float* p) {
-  float sum = 0;
-  for (int a = 0; a < 3; ++a) {
-    const float d = std::max({box.low[a] - p[a], 0.0f, p[a] - box.high[a]});
-    sum += d * d;
-  }
-  return sum;
-}
-
-float farthest_squared(const Box& box, const float* p) {
-  float sum = 0;
-  for (int a = 0; a < 3; ++a) {
-    const float d = std::max(std::abs(p[a] - box.low[a]), std::abs(p[a] - box.high[a]));
-    sum += d * d;
-  }
-  return sum;
-}
 
 class CandidateGrid final : public Neighbors {
  public:
   CandidateGrid(const Cloud& cloud, float radius, float cell, const Kernels& kernels)
-      : kernels_(kernels) {
+      : kernels_(kernels), radius_(radius), cell_(cell) {
     view_.limit = radius * radius;
-    lay_out(cloud, radius, cell);
-    fill(cloud, radius);
-    view_.begin = begin_.data();
-    view_.x = x_.data();
-    view_.y = y_.data();
-    view_.z = z_.data();
+    do lay_out(cloud);
+    while (!list(cloud));
+    view_.groups = groups_.data();
+    view_.more = more_.data();
+    view_.blocks = blocks_;
   }
 
   void squared_distances(const PointsView& queries, float* out) const override {
@@ -60,106 +49,162 @@ class CandidateGrid final : public Neighbors {
   }
 
  private:
+  struct Candidate {
+    std::uint32_t cell, point;
+  };
+
   /// Cells cover the cloud's bounding box and a margin of one radius: outside nothing is near.
-  void lay_out(const Cloud& cloud, float radius, float cell) {
+  void lay_out(const Cloud& cloud) {
     const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};
-    float extent[3];
+    float extent[3], largest = 0;
     for (int a = 0; a < 3; ++a) {
       const auto [low, high] = std::minmax_element(axes[a]->begin(), axes[a]->end());
-      view_.origin[a] = *low - radius * (1 + kSlack);
-      extent[a] = *high + radius * (1 + kSlack) - view_.origin[a];
+      view_.origin[a] = *low - radius_ * (1 + kSlack);
+      extent[a] = *high + radius_ * (1 + kSlack) - view_.origin[a];
+      largest = std::max({largest, std::abs(view_.origin[a]), std::abs(*high + radius_)});
     }
-    for (;; cell *= 1.25f) {
+    for (;; cell_ *= 1.25f) {
       double cells = 1;
+      std::int32_t along = 0;
       for (int a = 0; a < 3; ++a) {
-        view_.size[a] = static_cast<std::int32_t>(std::floor(extent[a] / cell)) + 1;
+        const float size = std::floor(extent[a] / cell_);
+        view_.size[a] = static_cast<std::int32_t>(std::min<float>(size, kMostAlong)) + 1;
+        along = std::max(along, view_.size[a]);
         cells *= view_.size[a];
       }
-      if (cells <= static_cast<double>(kMostCells)) break;
+      if (cells <= kMostCells && along <= kMostAlong) break;
     }
-    cell_ = cell;
-    view_.inverse_cell = 1.0f / cell;
+    view_.inverse_cell = 1.0f / cell_;
+    // Rounding of a coordinate, and of its place counted in cells, which are at most kMostAlong.
+    margin_ = 1e-4f + 1e-6f * static_cast<float>(*std::max_element(view_.size, view_.size + 3)) +
+              1e-6f * largest / cell_;
   }
 
-  Box box(std::int32_t i, std::int32_t j, std::int32_t k) const {
-    const std::int32_t at[3] = {i, j, k};
-    Box out;
-    for (int a = 0; a < 3; ++a) {
-      out.low[a] = view_.origin[a] + cell_ * (static_cast<float>(at[a]) - kSlack);
-      out.high[a] = view_.origin[a] + cell_ * (static_cast<float>(at[a]) + 1 + kSlack);
-    }
-    return out;
-  }
-
-  std::size_t key(std::int32_t i, std::int32_t j, std::int32_t k) const {
-    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(view_.size[1]) +
-            static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(view_.size[0]) +
-           static_cast<std::size_t>(i);
-  }
-
-  /// Calls visit(key, box, p) for each point and each cell that it may reach.
-  template <class Visit>
-  void for_each_reach(const Cloud& cloud, float radius, Visit visit) const {
-    for (std::size_t n = 0; n < cloud.size(); ++n) {
-      const float p[3] = {cloud.x[n], cloud.y[n], cloud.z[n]};
-      std::int32_t low[3], high[3];
-      for (int a = 0; a < 3; ++a) {
-        const float at = (p[a] - view_.origin[a]) * view_.inverse_cell,
-                    reach = radius * view_.inverse_cell;
-        low[a] = std::max(0, static_cast<std::int32_t>(std::floor(at - reach - kSlack)));
-        high[a] =
-            std::min(view_.size[a] - 1, static_cast<std::int32_t>(std::floor(at + reach + kSlack)));
-      }
-      for (std::int32_t k = low[2]; k <= high[2]; ++k)
-        for (std::int32_t j = low[1]; j <= high[1]; ++j)
-          for (std::int32_t i = low[0]; i <= high[0]; ++i) visit(n, key(i, j, k), box(i, j, k), p);
-    }
-  }
-
-  void fill(const Cloud& cloud, float radius) {
-    const std::size_t cells = key(0, 0, view_.size[2]);
-    // What the nearest point can be at most, wherever in the cell the query lies.
-    std::vector<float> bound(cells, radius * radius);
-    for_each_reach(cloud, radius, [&](std::size_t, std::size_t c, const Box& b, const float* p) {
-      bound[c] = std::min(bound[c], farthest_squared(b, p));
-    });
-    const auto qualifies = [&](std::size_t c, const Box& b, const float* p) {
-      return nearest_squared(b, p) <= bound[c] * (1 + kSlack);
+  void reach(float p, int axis, Reach& out) const {
+    const float at = (p - view_.origin[axis]) * view_.inverse_cell;
+    const float span = radius_ * view_.inverse_cell + margin_;
+    const auto cell = [&](float place) {
+      return std::clamp(static_cast<std::int32_t>(std::floor(place)), 0, view_.size[axis] - 1);
     };
-    std::vector<std::uint32_t> count(cells, 0);
-    for_each_reach(cloud, radius, [&](std::size_t, std::size_t c, const Box& b, const float* p) {
-      count[c] += qualifies(c, b, p);
-    });
-
-    begin_.resize(cells + 1);
-    std::size_t total = 0;
-    for (std::size_t c = 0; c < cells; ++c) {
-      begin_[c] = static_cast<std::uint32_t>(total);
-      total += (count[c] + kLanes - 1) / kLanes * kLanes;
+    out.low = cell(at - span);
+    out.high = cell(at + span);
+    out.nearest.clear();
+    out.farthest.clear();
+    for (std::int32_t c = out.low; c <= out.high; ++c) {
+      const float low = static_cast<float>(c) - margin_ - at;
+      const float high = static_cast<float>(c) + 1 + margin_ - at;
+      const float near = cell_ * std::max({low, 0.0f, -high});
+      const float far = cell_ * std::max(-low, high);
+      out.nearest.push_back(near * near);
+      out.farthest.push_back(far * far);
     }
-    begin_[cells] = static_cast<std::uint32_t>(total);
-    x_.assign(total, kFar);
-    y_.assign(total, kFar);
-    z_.assign(total, kFar);
-    index_.assign(total, -1);
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for_each_reach(cloud, radius, [&](std::size_t n, std::size_t c, const Box& b, const float* p) {
-      if (!qualifies(c, b, p)) return;
-      const std::uint32_t k = next[c]++;
-      x_[k] = p[0];
-      y_[k] = p[1];
-      z_[k] = p[2];
-      index_[k] = static_cast<std::int32_t>(n);
+  }
+
+  /// Calls visit(cell, point, nearest, farthest) for each point and each cell that it may reach,
+  /// point after point, until one call is false; whether none was.
+  template <class Visit>
+  bool for_each_reach(const Cloud& cloud, Visit visit) const {
+    std::array<Reach, 3> r;
+    for (std::size_t n = 0; n < cloud.size(); ++n) {
+      reach(cloud.x[n], 0, r[0]);
+      reach(cloud.y[n], 1, r[1]);
+      reach(cloud.z[n], 2, r[2]);
+      for (std::int32_t k = r[2].low; k <= r[2].high; ++k)
+        for (std::int32_t j = r[1].low; j <= r[1].high; ++j) {
+          const auto y = static_cast<std::size_t>(j - r[1].low),
+                     z = static_cast<std::size_t>(k - r[2].low);
+          const float near = r[1].nearest[y] + r[2].nearest[z];
+          const float far = r[1].farthest[y] + r[2].farthest[z];
+          const auto first =
+              static_cast<std::size_t>((k * view_.size[1] + j) * view_.size[0] + r[0].low);
+          for (std::size_t x = 0; x < r[0].nearest.size(); ++x)
+            if (!visit(first + x, n, near + r[0].nearest[x], far + r[0].farthest[x])) return false;
+        }
+    }
+    return true;
+  }
+
+  /// Lists each cell's candidates. When they are too many, makes the cells larger and returns
+  /// false.
+  bool list(const Cloud& cloud) {
+    const std::size_t cells = static_cast<std::size_t>(view_.size[0]) *
+                              static_cast<std::size_t>(view_.size[1]) *
+                              static_cast<std::size_t>(view_.size[2]);
+    // What the nearest point can be at most, wherever in the cell the query lies.
+    std::vector<float> bound(cells, view_.limit);
+    for_each_reach(cloud, [&](std::size_t c, std::size_t, float, float farthest) {
+      bound[c] = std::min(bound[c], farthest);
+      return true;
     });
+    for (float& b : bound) b *= 1 + kSlack;
+    std::vector<std::uint32_t> count(cells, 0);
+    std::vector<Candidate> candidates;
+    const std::size_t most = cells == 1 ? cloud.size() : kMostCandidates / 2;
+    if (!for_each_reach(cloud, [&](std::size_t c, std::size_t n, float nearest, float) {
+          if (nearest > bound[c]) return true;
+          ++count[c];
+          candidates.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(n)});
+          return candidates.size() <= most;
+        })) {
+      cell_ *= 1.5f;
+      return false;
+    }
+    lay_blocks(count);
+    fill(cloud, candidates);
+    return true;
+  }
+
+  /// The first block of each occupied cell, in the order of cells, then all others.
+  void lay_blocks(const std::vector<std::uint32_t>& count) {
+    groups_.assign(count.size() / 32 + 1, {0, 0});
+    std::uint32_t occupied = 0;
+    for (std::size_t c = 0; c < count.size(); ++c) {
+      CellGroup& group = groups_[c / 32];
+      if (c % 32 == 0) group.before = occupied;
+      if (count[c] == 0) continue;
+      group.occupied |= std::uint32_t{1} << (c % 32);
+      ++occupied;
+    }
+    std::uint32_t blocks = occupied;
+    more_.clear();
+    for (const std::uint32_t n : count) {
+      if (n == 0) continue;
+      more_.push_back(blocks);
+      blocks += (n - 1) / static_cast<std::uint32_t>(kLanes);
+    }
+    more_.push_back(blocks);
+    store_.assign(std::size_t{blocks} * 3 * kLanes + kLine, kFar);
+    const std::size_t past =
+        reinterpret_cast<std::uintptr_t>(store_.data()) / sizeof(float) % kLine;
+    blocks_ = store_.data() + (kLine - past) % kLine;
+    index_.assign(std::size_t{blocks} * kLanes, -1);
+  }
+
+  void fill(const Cloud& cloud, const std::vector<Candidate>& candidates) {
+    std::vector<std::uint32_t> filled(more_.size() - 1, 0);
+    for (const Candidate& c : candidates) {
+      const CellGroup& group = groups_[c.cell / 32];
+      const std::uint32_t from = group.occupied << (31 - c.cell % 32);  // this cell and those below
+      const std::size_t k = group.before + static_cast<std::uint32_t>(__builtin_popcount(from)) - 1;
+      const std::uint32_t rank = filled[k]++;
+      const std::size_t lane = rank % kLanes,
+                        block = rank < kLanes ? k : more_[k] + rank / kLanes - 1;
+      float* at = &blocks_[block * 3 * kLanes + lane];
+      at[0] = cloud.x[c.point];
+      at[kLanes] = cloud.y[c.point];
+      at[2 * kLanes] = cloud.z[c.point];
+      index_[block * kLanes + lane] = static_cast<std::int32_t>(c.point);
+    }
   }
 
   const Kernels& kernels_;
   GridView view_{};
-  float cell_ = 0;
-  std::vector<std::uint32_t> begin_;  // per cell, and one past the last
-  std::vector<float> x_, y_, z_;      // candidates, cell by cell
-  std::vector<std::int32_t> index_;   // their rows in the cloud, -1 for padding
+  float radius_, cell_, margin_ = 0;  // margin in cells
+  std::vector<CellGroup> groups_;
+  std::vector<std::uint32_t> more_;
+  std::vector<float> store_;
+  float* blocks_ = nullptr;          // in there, on a line of the cache
+  std::vector<std::int32_t> index_;  // candidates' rows in the cloud, -1 for padding
 };
 
 }  // namespace
