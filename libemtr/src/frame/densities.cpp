@@ -75,16 +75,12 @@ void require_some_left(const Cloud& cloud, const char* name, double leaf, double
 
 Densities thin(const NormalisedPair& pair, const Settings& settings) {
   Densities out;
-  // Both clouds at once where that is worth waking a thread for.
+  // Both clouds are filtered at once where that is worth waking a thread for.
   const bool large = pair.source.size() + pair.target.size() > 200000;
   const int threads = large ? std::min(2, thread_count(settings)) : 1;
   const Cloud* const clouds[2] = {&pair.source, &pair.target};
   VoxelCounter counters[2] = {VoxelCounter(pair.source), VoxelCounter(pair.target)};
-  const auto dense_count = [&](float leaf) {
-    std::size_t n[2];
-    in_parallel(2, threads, [&](std::size_t i) { n[i] = counters[i](leaf); });
-    return n[0] + n[1];
-  };
+  const auto dense_count = [&](float leaf) { return counters[0](leaf) + counters[1](leaf); };
   const auto thin_both = [&](double leaf, Cloud& source, Cloud& target) {
     Cloud* const thinned[2] = {&source, &target};
     in_parallel(2, threads, [&](std::size_t i) {

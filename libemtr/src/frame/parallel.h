@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <mutex>
 
 namespace emtr {
 
@@ -10,12 +11,13 @@ namespace emtr {
 template <class Job>
 void in_parallel(std::size_t n, int threads, const Job& job) {
   std::exception_ptr failure;
+  std::mutex mutex;  // a critical section would be a symbol that the library shows
 #pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1 && n > 1)
   for (std::size_t i = 0; i < n; ++i) {
     try {
       job(i);
     } catch (...) {  // must not leave the region
-#pragma omp critical(emtr_in_parallel)
+      const std::lock_guard<std::mutex> lock(mutex);
       failure = std::current_exception();
     }
   }

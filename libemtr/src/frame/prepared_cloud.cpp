@@ -10,6 +10,7 @@ namespace emtr {
 PreparedCloud::PreparedCloud(const emtr_cloud& cloud, const std::string& name, int threads) {
   const std::string title = name.empty() ? "cloud" : name + " cloud";
   const CloudReader reader(cloud, title);
+  if (reader.count() <= kThinnedAbove) threads = 1;  // sooner done than others are awake
   const Extent extent = measure(reader, title, threads);
   count = extent.count;
   dropped = reader.count() - count;

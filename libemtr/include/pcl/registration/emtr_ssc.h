@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <pcl/registration/impl/emtr_ssc_prepared.hpp>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -51,6 +52,10 @@ namespace pcl {
  * epsilons, setRANSACIterations(), setRANSACOutlierRejectionThreshold(),
  * setTransformationEstimation(), setCorrespondenceEstimation(), addCorrespondenceRejector(),
  * setSearchMethodSource(), registerVisualizationCallback().
+ *
+ * \note What can be made ready of a cloud by itself is made once and used again by the next align()
+ * as long as its coordinates, and for the source the indices, stay the same: so one target serves
+ * many sources, and one source many targets. A copy of the coordinates is kept for that.
  *
  * \note hasConverged() means that the pose is held to be right, not that the loop ended. An input
  * that cannot be registered is reported by PCL_ERROR and getErrorMessage(), hasConverged() is
@@ -182,6 +187,7 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   ProgressCallback progress_;
   ResultConstPtr result_;
   std::string error_message_;
+  detail::PreparedInput prepared_source_, prepared_target_;
 
  public:
   PCL_MAKE_ALIGNED_OPERATOR_NEW

@@ -4,6 +4,7 @@
 #include <pcl/console/print.h>
 #include <pcl/registration/emtr_ssc.h>
 
+#include <chrono>
 #include <exception>
 #include <limits>
 #include <pcl/registration/impl/emtr_ssc_points.hpp>
@@ -11,7 +12,6 @@
 #include <pcl/registration/impl/emtr_ssc_tree.hpp>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace pcl {
 
@@ -34,6 +34,7 @@ void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setInputSource(
   PCL_ERROR("[pcl::%s::setInputSource] Null or empty cloud given, no source is left.\n",
             getClassName().c_str());
   input_.reset();
+  prepared_source_.forget();
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -48,6 +49,7 @@ void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setInputTarget(
             getClassName().c_str());
   target_.reset();
   target_cloud_updated_ = true;
+  prepared_target_.forget();
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -180,22 +182,30 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointClo
     for (Eigen::Index i = 0; i < 16; ++i)
       settings.guess[i] = static_cast<double>(guess(i / 4, i % 4));
   }
-  // Plain arrays of our own: what is in a pcl::PointCloud depends on how the caller was compiled.
-  const std::vector<float> source_points = detail::packPoints(source);
-  const std::vector<float> target_points = detail::packPoints(*target_);
-  const emtr_cloud source_cloud = {source_points.data(), source.size(), 0, EMTR_FLOAT32};
-  const emtr_cloud target_cloud = {target_points.data(), target_->size(), 0, EMTR_FLOAT32};
+  const auto start = std::chrono::steady_clock::now();
+  const auto prepared_source = prepared_source_.of(source, "source", settings.threads);
+  const auto prepared_target =
+      prepared_source ? prepared_target_.of(*target_, "target", settings.threads) : nullptr;
+  if (!prepared_target) {
+    error_message_ = emtr_error_message();
+    return false;
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
   detail::ProgressRelay relay(progress_);
   emtr_result* result = nullptr;
-  const emtr_status status =
-      emtr_register(&source_cloud, &target_cloud, &settings, relay.function(), &relay, &result);
+  const emtr_status status = emtr_register_prepared(prepared_source.get(), prepared_target.get(),
+                                                    &settings, relay.function(), &relay, &result);
   if (status != EMTR_OK) error_message_ = emtr_error_message();
   ResultConstPtr owned(result,
                        [](const emtr_result* r) { emtr_result_free(const_cast<emtr_result*>(r)); });
   if (relay.thrown()) {
     error_message_ = "the progress callback threw an exception";
     std::rethrow_exception(relay.thrown());
+  }
+  if (result) {
+    result->seconds_frame += seconds.count();
+    result->seconds_total += seconds.count();
   }
   result_ = std::move(owned);
   return status == EMTR_OK;

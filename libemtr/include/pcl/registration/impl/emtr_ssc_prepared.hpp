@@ -1,0 +1,60 @@
+#pragma once
+
+#include <emtr/emtr.h>
+#include <pcl/point_cloud.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <pcl/registration/impl/emtr_ssc_points.hpp>
+#include <vector>
+
+namespace pcl {
+namespace detail {
+
+/** \brief An input cloud as the library prepares it, kept from one align() to the next.
+ *
+ * Prepared again when any coordinate has changed, also in place, which no setter is told of: so
+ * the coordinates are kept too and compared, which takes far less time than to prepare them. */
+class PreparedInput {
+ public:
+  /** \brief The cloud made ready; \a name and \a threads as in emtr_prepare().
+   * \return null when it cannot be registered: emtr_error_message() tells why */
+  template <typename PointT>
+  std::shared_ptr<const emtr_prepared> of(const PointCloud<PointT>& cloud, const char* name,
+                                          std::int32_t threads) {
+    if (prepared_ && isOf(cloud)) return prepared_;
+    forget();
+    // Plain arrays of our own: what is in a pcl::PointCloud depends on how the caller was compiled.
+    packed_ = packPoints(cloud);
+    const emtr_cloud view = {packed_.data(), cloud.size(), 0, EMTR_FLOAT32};
+    emtr_prepared* made = nullptr;
+    if (emtr_prepare(&view, name, threads, &made) == EMTR_OK)
+      prepared_ = std::shared_ptr<const emtr_prepared>(
+          made, [](const emtr_prepared* p) { emtr_prepared_free(const_cast<emtr_prepared*>(p)); });
+    return prepared_;
+  }
+
+  void forget() {
+    prepared_.reset();
+    packed_ = std::vector<float>();
+  }
+
+ private:
+  template <typename PointT>
+  bool isOf(const PointCloud<PointT>& cloud) const {
+    if (packed_.size() != 3 * cloud.size()) return false;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const float p[3] = {cloud[i].x, cloud[i].y, cloud[i].z};
+      if (std::memcmp(p, &packed_[3 * i], sizeof p) != 0) return false;  // a NaN is itself
+    }
+    return true;
+  }
+
+  std::vector<float> packed_;
+  std::shared_ptr<const emtr_prepared> prepared_;
+};
+
+}  // namespace detail
+}  // namespace pcl
