@@ -61,7 +61,7 @@ def test_the_json_holds_every_run_and_has_no_nan(measured, tmp_path):
     value = json.loads((tmp_path / "a.json").read_text())
     assert len(value["runs"]) == 45 and value["left_out"] == {"p": "no p"}
     assert sum(1 for run in value["runs"] if run["error"]) == 6
-    assert set(value["tiers"]) == {"paper", "standard"}
+    assert set(value["tiers"]) == {"paper", "standard", "all"}
     assert len(value["tiers"]["paper"]["ratios"]) == 4
 
 

@@ -24,7 +24,7 @@ def sample_pair(folder: Path) -> Pair:
 
 
 def sample_clouds(folder: Path, points: int = 40000) -> tuple[Array, Array]:
-    """Makes the pair, of about so many points a cloud, in `folder`; source (n, 3), target (m, 3)."""
+    """Makes the pair, of about so many points a cloud, in `folder`: (n, 3) and (m, 3)."""
     command = [sys.executable, str(TOOLS / "sample_pair.py"), "--out", str(folder)]
     command += ["--points", str(points)]
     done = subprocess.run(command, capture_output=True, text=True)

@@ -13,13 +13,16 @@ def record(
     machine: dict[str, str], options: Options, left_out: dict[str, str], runs: list[PeerRun]
 ) -> dict[str, Any]:
     """Ready for records.write. Degrees, seconds, matrices source into target."""
-    tiers = dict.fromkeys(run.pair.tier for run in runs)
+    names = dict.fromkeys(run.pair.tier for run in runs)
+    tiers = {tier: [run for run in runs if run.pair.tier == tier] for tier in names}
+    if len(tiers) > 1:
+        tiers["all"] = runs
     return {
         "benchmark": "peers",
         "machine": machine,
         "options": dataclasses.asdict(options),
         "left_out": left_out,
-        "tiers": {tier: _tier([r for r in runs if r.pair.tier == tier]) for tier in tiers},
+        "tiers": {tier: _tier(mine) for tier, mine in tiers.items()},
         "runs": [_run(run) for run in runs],
     }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 from pathlib import Path
 
 from ..locations import REPOSITORY
@@ -31,7 +32,7 @@ def parser() -> argparse.ArgumentParser:
     )
     add = made.add_argument
     add("build", nargs="*", type=Path, metavar="BUILD",
-        help="build folder (default: build); two to compare them")  # fmt: skip
+        help="build folder (default: EMTR_BUILD_DIR, else build); two to compare them")  # fmt: skip
     add("--update", action="store_true", help="record the counts instead of comparing them")
     add("--tolerance", type=_share, default=0.03, metavar="SHARE",
         help="how much slower is still well (default: 0.03)")  # fmt: skip
@@ -48,7 +49,8 @@ def parser() -> argparse.ArgumentParser:
 def parse() -> argparse.Namespace:
     made = parser()
     arguments = made.parse_args()
-    arguments.build = arguments.build or [REPOSITORY / "build"]
+    default = Path(os.environ.get("EMTR_BUILD_DIR") or REPOSITORY / "build")
+    arguments.build = arguments.build or [default]
     if len(arguments.build) > 2:
         made.error("expected one build folder or two")
     if len(arguments.build) == 2 and (arguments.update or arguments.json):

@@ -25,7 +25,8 @@ def parser() -> argparse.ArgumentParser:
     add = made.add_argument
     add("--presets", nargs="+", metavar="NAME", help="of emtr (default: all that there are)")
     add("--threads", nargs="+", type=positive, default=[1, 2], metavar="N",
-        help="how many threads (default: 1 2); the structures are compared with the last")  # fmt: skip
+        help="how many threads (default: 1 2); the structures are compared with "
+        "the last")  # fmt: skip
     add("--points", type=positive, default=40000, help="of each cloud (default: 40000)")
     add("--repetitions", type=positive, default=9, metavar="N",
         help="of each registration by the grid (default: 9)")  # fmt: skip

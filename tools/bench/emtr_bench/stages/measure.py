@@ -39,9 +39,7 @@ def compare_structures(
     poses: set[bytes] = set()
     for _ in range(repetitions):
         for name in STRUCTURES:
-            result = pyemtr.register(
-                source, target, preset=preset, threads=threads, neighbors=name
-            )
+            result = pyemtr.register(source, target, preset=preset, threads=threads, neighbors=name)
             seconds[name].append(result.timings["evolution"])
             poses.add(np.asarray(result.transformation).tobytes())
     turns = [slow / fast for fast, slow in zip(*(seconds[name] for name in STRUCTURES))]

@@ -1,0 +1,199 @@
+"""BENCHMARK.md: its parts, what is kept of a run, and the page made of it."""
+
+import argparse
+import json
+import math
+from pathlib import Path
+
+import accuracy_fakes
+import pytest
+from accuracy_fakes import FakeEngine
+from peers_fakes import FakeMethod
+
+from emtr_bench import accuracy, pairs, records
+from emtr_bench.document import program, running
+from emtr_bench.document.page import page
+from emtr_bench.document.parts import NAMES, Part, all_parts
+from emtr_bench.locations import REPOSITORY
+from emtr_bench.peers import output, runs
+
+MACHINE = {"date": "today", "revision": "abc", "load average": "0.1", "cpu": "a fine one"}
+QUARTILES = {"low": 0.01, "median": 0.02, "high": 0.03}
+
+
+def parts_of(folder, presets=("paper",)):
+    return all_parts(folder, folder / "scaling.png", list(presets), smoke=False)
+
+
+def keep(part, value, status=0, **machine):
+    records.write(part.json, value)
+    how = {"command": part.line, "machine": {**MACHINE, **machine}, "status": status,
+           "seconds": 3.0}  # fmt: skip
+    records.write(part.json.with_name(f"{part.json.stem}.run.json"), how)
+
+
+def text_of(parts, folder):
+    return page(parts, folder / "scaling.png", folder / "BENCHMARK.md")
+
+
+def test_each_preset_has_the_protocol_and_every_pair():
+    parts = parts_of(Path("build/bench"), ["paper", "fast"])
+    assert [part.section for part in parts if part.section != "accuracy"] == list(NAMES[1:])
+    lines = [part.line for part in parts]
+    for preset in ("paper", "fast"):
+        assert (f"tools/bench/accuracy --preset {preset} --tier paper --transforms 20 --threads 2 "
+                f"--json=build/bench/accuracy-{preset}-paper.json") in lines  # fmt: skip
+    assert "tools/bench/regress --json=build/bench/regress.json" in lines
+    assert len({part.json for part in parts}) == len(parts)
+
+
+def test_every_command_is_one_that_the_programs_take():
+    from emtr_bench.arguments import parser as accuracy_parser
+    from emtr_bench.peers.arguments import parser as peers_parser
+    from emtr_bench.regress.arguments import parser as regress_parser
+    from emtr_bench.stages.arguments import parser as stages_parser
+
+    parsers = {"accuracy": accuracy_parser, "peers": peers_parser, "regress": regress_parser,
+               "stages": stages_parser}  # fmt: skip
+    for smoke in (False, True):
+        for part in all_parts(Path("b"), Path("p.png"), ["paper"], smoke):
+            if part.section in parsers:
+                parsers[part.section]().parse_args(part.command[1:])
+
+
+def test_what_was_not_measured_is_said(tmp_path):
+    text = text_of(parts_of(tmp_path), tmp_path)
+    assert text.count("Not measured.") == 7 and "Nothing has been measured." in text
+
+
+def test_accuracy_is_rendered_from_its_own_json(tmp_path, monkeypatch):
+    monkeypatch.setenv("EMTR_DATA", str(accuracy_fakes.write_data(tmp_path)))
+    parts = parts_of(tmp_path)
+    accuracy.main(["--tier", "all", "--transforms", "5", "--json", str(parts[1].json)],
+                  FakeEngine(spoiled={3: (90.0, 0.0)}))  # fmt: skip
+    keep(parts[1], json.loads(parts[1].json.read_text()))
+    text = text_of(parts, tmp_path)
+    assert "| paper | 2 | 10 | 80.0 | 80.0 |" in text and "| all | 3 | 15 | 80.0 |" in text
+    accuracy.main(["--transforms", "5", "--json", str(parts[0].json)], FakeEngine())
+    keep(parts[0], json.loads(parts[0].json.read_text()))
+    assert "| hare | 100.0 | Bunny | 0.000 | 0.233 |" in text_of(parts, tmp_path)
+
+
+def test_peers_are_rendered_from_their_own_json(tmp_path):
+    manifest = pairs.read_manifest(accuracy_fakes.write_data(tmp_path))[:1]
+    options = runs.Options(2, 1, 20.0, 0, 30)
+    methods = [FakeMethod("emtr-paper"), FakeMethod("peer+x", "raise", 1)]
+    measured = [run for done in runs.measure(manifest, methods, options) for run in done]
+    (part,) = (p for p in parts_of(tmp_path) if p.section == "peers")
+    keep(part, output.record({**MACHINE, "open3d": "9.9"}, options, {"y": "no y"}, measured))
+    text = text_of([part], tmp_path)
+    assert "Versions: open3d 9.9." in text and "Left out: y (no y)." in text
+    assert "| peer+x | 2 | 1 | 50.0 |" in text and "| emtr-paper | 2 | 0 | 100.0 |" in text
+    assert "| our seconds / theirs, pair by pair | emtr-paper |" in text
+
+
+def test_costs_are_rendered(tmp_path):
+    values = {
+        "stages": {"points": [10, 20], "kernel": "generic", "repetitions": 3,
+                   "slow_repetitions": 1,
+                   "profiles": [{"preset": "paper", "threads": 1,
+                                 "seconds": {"frame": QUARTILES}}],
+                   "structures": [{"preset": "paper", "threads": 1, "ratio": 12.34,
+                                   "same_bits": False,
+                                   "evolution": {"grid": QUARTILES, "kdtree": QUARTILES}}]},
+        "scaling": {"slope": 0.987, "slope_from": 1000,
+                    "sizes": [{"points": 5000, "stages": {"frame": 0.5}, "seconds": 1.5,
+                               "peak_bytes": 3e6, "memory_over_input": 2.5, "E_R": 0.25}]},
+        "neighbors": {"benchmarks": [
+            {"run_type": "iteration", "run_name": f"{name}/random/600", "look_up": seconds}
+            for name, seconds in (("flann", 5e-7), ("flann", 7e-7), ("flann", 6e-7),
+                                  ("grid", 4e-9))]},
+        "regress": {"toolchain": {"pcl": "1"},
+                    "programs": {"p": {"instructions": 2500000,
+                                       "functions": {"emtr::f": 1200000}}}},
+    }  # fmt: skip
+    parts = parts_of(tmp_path)
+    for part in parts:
+        if part.section in values:
+            keep(part, values[part.section])
+    text = text_of(parts, tmp_path)
+    for expected in (
+        "| `paper` | 1 | 20.0 |", "| 12.3 | **not the same bits** |", "![time and memory",
+        "](scaling.png)", "| 5,000 | 500.0 | 1.500 | 3 | 2.50 | 0.25 |", "power 0.99",
+        "| 600 | random | 600.0 | 4.0 |", "| **p** | 2.5 |", "| `emtr::f` | 1.2 |",
+    ):  # fmt: skip
+        assert expected in text, expected
+
+
+def test_another_machine_or_a_failure_is_told(tmp_path):
+    parts = [p for p in parts_of(tmp_path) if p.section == "regress"]
+    keep(parts[0], {"toolchain": {}, "programs": {}}, status=1)
+    text = text_of(parts, tmp_path)
+    assert "It ended with status 1." in text and "not all measured" not in text
+    other = Part("regress2", "regress", ("tools/bench/regress",), tmp_path / "regress2.json")
+    keep(other, {"toolchain": {}, "programs": {}}, cpu="another", date="tomorrow")
+    text = text_of([*parts, other], tmp_path)
+    assert "not all measured" in text and "| cpu | a fine one |" in text
+
+
+def script(folder, name, body):
+    path = folder / name
+    path.write_text(f"#!/bin/sh\n{body}\n")
+    path.chmod(0o755)
+    return path
+
+
+def test_a_part_that_wrote_nothing_loses_its_old_figures(tmp_path):
+    path = tmp_path / "x.json"
+    good = script(tmp_path, "good", f"echo '{{}}' > {path}; exit 1")
+    bad = script(tmp_path, "bad", "exit 3")
+    part = Part("x", "regress", (str(good),), path)
+    assert running.run(part) == "" and running.kept(part).status == 1
+    assert running.kept(part).machine["cpu"]
+    failure = running.run(Part("x", "regress", (str(bad), "--now"), path))
+    assert failure == f"{bad} --now: ended with 3 and wrote no {path}"
+    assert running.kept(part) is None and not path.exists()
+
+
+@pytest.mark.parametrize(
+    ("only", "ran"), [(None, list(NAMES)), (["regress"], ["regress"]), ([], [])]
+)
+def test_only_what_is_asked_for_is_run(tmp_path, monkeypatch, only, ran):
+    seen = []
+    monkeypatch.setattr(program, "_run", lambda part: seen.append(part.section) or "")
+    arguments = argparse.Namespace(only=only, smoke=True)
+    out = tmp_path / "BENCHMARK.md"
+    assert program.make(tmp_path, tmp_path / "s.png", out, ["paper"], arguments) == 0
+    there = [name for name in ran if (REPOSITORY / "tools" / "bench" / name).exists()]
+    assert seen == there and out.read_text().startswith("# Benchmarks")
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_stages_alternate_and_tell_whether_the_bits_agree(monkeypatch):
+    import numpy as np
+    from emtr_bench.stages import measure
+
+    class Result:
+        def __init__(self, seconds, x):
+            self.timings = {"evolution": seconds}
+            self.transformation = np.full((4, 4), x)
+
+    seen = []
+
+    def register(source, target, *, preset, threads, neighbors="grid"):
+        seen.append(neighbors)
+        slow = neighbors == "kdtree"
+        return Result(2.0 * len(seen) if slow else 0.5, 1.0 + (1e-16 if slow else 0.0) + off)
+
+    monkeypatch.setattr(measure.pyemtr, "register", register)
+    off = 0.0
+    found = measure.compare_structures(None, None, "paper", 2, 3)
+    assert seen == ["grid", "kdtree"] * 3 and found["same_bits"]
+    assert found["ratio"] == 16.0 and found["evolution"]["grid"]["median"] == 0.5
+    seen.clear()
+    pose_values = {"grid": 1.0, "kdtree": math.nextafter(1.0, 2.0)}
+    monkeypatch.setattr(
+        measure.pyemtr, "register",
+        lambda *a, neighbors, **k: Result(1.0, pose_values[neighbors]),
+    )  # fmt: skip
+    assert not measure.compare_structures(None, None, "paper", 2, 1)["same_bits"]

@@ -1,0 +1,61 @@
+"""The parts of the page: each is a command that writes one JSON."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+THREADS = "2"
+NAMES = ("accuracy", "peers", "stages", "scaling", "neighbors", "regress")
+
+
+@dataclass(frozen=True)
+class Part:
+    """A run of one benchmark. Paths are relative to the repository wherever they lie in it."""
+
+    name: str  # of the JSON
+    section: str  # one of NAMES
+    command: tuple[str, ...]
+    json: Path
+
+    @property
+    def program(self) -> str:
+        return self.command[0]
+
+    @property
+    def line(self) -> str:
+        """As one types it, in the repository."""
+        return " ".join(self.command)
+
+
+def all_parts(folder: Path, plot: Path, presets: list[str], smoke: bool) -> list[Part]:
+    """`folder` takes the JSON, `plot` the picture."""
+
+    def part(section: str, *options: str, name: str = "", output: str = "--json={}") -> Part:
+        path = folder / f"{name or section}.json"
+        command = [f"tools/bench/{section}", *options, *output.format(path).split()]
+        return Part(name or section, section, tuple(command), path)
+
+    def pick(full: tuple[str, ...], short: tuple[str, ...]) -> tuple[str, ...]:
+        return short if smoke else full
+
+    parts = []
+    for preset in presets:
+        # The paper's own protocol asks for 20 motions; on the other pairs 4 have to do.
+        for name, tier, motions in (("paper", "paper", "20"), ("all", "all", "4")):
+            options = ("--tier", tier, "--transforms", motions, "--threads", THREADS)
+            parts.append(part("accuracy", "--preset", preset, *pick(options, ("--smoke",)),
+                              name=f"accuracy-{preset}-{name}"))  # fmt: skip
+        if smoke:
+            del parts[1:]
+            break
+    peers = ("--tier", "all", "--transforms", "4", "--threads", THREADS)
+    counted = "--benchmark_out={} --benchmark_out_format=json"
+    return [
+        *parts,
+        part("peers", *pick(peers, ("--smoke",))),
+        part("stages", *pick((), ("--smoke",))),
+        part("scaling", *pick((), ("--smoke",)), f"--plot={plot}"),
+        part("neighbors", *pick((), ("--smoke",)), output=counted),
+        part("regress", *pick((), ("--only", "register-generic"))),
+    ]
