@@ -19,7 +19,9 @@ class Ranking {
   struct Value {
     FitValue fit;
     double violation = 0;
-    double score = 0;  ///< fit.chf - 2 violation; at most 1
+    /// fit.chf - 2 violation, at most 1. With fit.same_side in the place of fit.chf where the
+    /// viewpoints of both are given: no sensor sees the back of what the other sees the front of.
+    double score = 0;
   };
 
   /// The surfaces are copied, and their normals turned to the viewpoints where there are any. The
@@ -39,6 +41,7 @@ class Ranking {
 
  private:
   const Surface source_, target_;
+  const bool both_given_;
   Fit fit_;
   FreeSpace free_space_;
 };

@@ -36,7 +36,7 @@ TEST(Ranking, IsTheFitLessTwiceTheViolation) {
   const double particle[6] = {0, 0, 1.5707963267948966, 0, 0.4, 0};
   for (const Rigid& T : {Rigid{}, emtr::decode(particle)}) {
     const Ranking::Value value = ranking.evaluate(T, scratch);
-    EXPECT_EQ(value.score, value.fit.chf - 2 * value.violation);
+    EXPECT_EQ(value.score, value.fit.same_side - 2 * value.violation);
   }
   const Ranking::Value right = ranking.evaluate(Rigid{}, scratch),
                        wrong = ranking.evaluate(emtr::decode(particle), scratch);
@@ -54,9 +54,25 @@ TEST(Ranking, LeavesOutViolationsOfPosesThatCannotMatter) {
   const Ranking::Value all = ranking.evaluate(wrong, scratch);
   const Ranking::Value bound = ranking.evaluate(wrong, scratch, 0.99);
   EXPECT_EQ(bound.violation, 0);
-  EXPECT_EQ(bound.score, bound.fit.chf);
+  EXPECT_EQ(bound.score, bound.fit.same_side);
   EXPECT_GT(bound.score, all.score);
   EXPECT_EQ(ranking.evaluate(wrong, scratch, -1).score, all.score);
+}
+
+TEST(Ranking, BackOnFrontIsNoFitWhereBothSensorsAreKnown) {
+  // The floor slid under itself, half a turn about x: only its back can lie on the front.
+  const double particle[6] = {0, 0, 3.141592653589793, 0, 0.7, 0};
+  const Rigid turned = emtr::decode(particle);
+  const Viewpoints either{{{{0, 4, 4}}, {{0, -4, -4}}}, 1};
+  Ranking::Scratch scratch;
+  Ranking given(corner(0), corner(0), kAt, kAt, kernels());
+  const Ranking::Value known = given.evaluate(turned, scratch);
+  EXPECT_GT(known.fit.chf, 0.2);
+  EXPECT_EQ(known.fit.same_side, 0);
+  EXPECT_LE(known.score, 0);
+  Ranking estimated(corner(0), corner(0), kAt, either, kernels());
+  const Ranking::Value open = estimated.evaluate(turned, scratch);
+  EXPECT_EQ(open.score, open.fit.chf - 2 * open.violation);
 }
 
 TEST(Ranking, WithoutViewpointsTheFitAlone) {
