@@ -86,7 +86,9 @@ Fit::Sums Fit::sums(const Cloud& points, const Cloud& normals, const Rigid& pose
     // Without a normal both are NaN, and no inlier. No branches: which way they go is a toss-up.
     const bool inlier = (std::abs(dot) > kSameWay) & (std::abs(e) < kTolerance);
     const float off = e * (1.0f / kTolerance), w = 1.0f - off * off;
-    sum.weight += static_cast<double>(inlier ? w * w : 0.0f);
+    const float weight = inlier ? w * w : 0.0f;
+    sum.weight += static_cast<double>(weight);
+    sum.same += static_cast<double>(dot > 0 ? weight : 0.0f);
     sum.sign += static_cast<double>(inlier ? dot : 0.0f);
     sum.squared += static_cast<double>(inlier ? e * e : 0.0f);
     sum.inliers += static_cast<double>(inlier ? 1.0f : 0.0f);
@@ -101,6 +103,7 @@ FitValue Fit::value(const Cloud* const points[2], const Cloud* const normals[2],
   const auto n = static_cast<double>(points[0]->size()), m = static_cast<double>(points[1]->size());
   FitValue out;
   out.chf = (a.weight / n + b.weight / m) / 2;
+  out.same_side = (a.same / n + b.same / m) / 2;
   out.inliers_source = a.inliers / n;
   out.inliers_target = b.inliers / m;
   const double inliers = a.inliers + b.inliers;

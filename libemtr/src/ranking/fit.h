@@ -18,6 +18,8 @@ struct FitValue {
   /// Mean of (1 - (e / 0.3 leaf)^2)^2 over all points (0 for those that are no inliers), e the
   /// distance from the tangent plane; each cloud against the other, then the mean of both. 0 to 1.
   double chf = 0;
+  /// What of chf is due to inliers whose normals point the same way (a positive dot product).
+  double same_side = 0;
   /// Mean of the dot product of both normals, with its sign, over the inliers: near 1 or -1 where
   /// the normals of both clouds are oriented by one rule. 0 when there are no inliers.
   double sign = 0;
@@ -58,7 +60,7 @@ class Fit {
     std::unique_ptr<Neighbors> neighbors;
   };
   struct Sums {
-    double weight = 0, sign = 0, squared = 0, inliers = 0;
+    double weight = 0, same = 0, sign = 0, squared = 0, inliers = 0;
   };
   struct Subset {
     std::size_t step;

@@ -38,7 +38,7 @@ double FreeSpace::violation(const Rigid& pose, double sign, Scratch& scratch) co
   const auto same_side = [sign](std::size_t i, std::size_t j) { return (i == j) == (sign > 0); };
   const std::size_t n = std::max<std::size_t>(of_source_.size(), 1),
                     m = std::max<std::size_t>(of_target_.size(), 1);
-  const bool all = of_source_.empty() || of_target_.empty() || (n == 1 && m == 1);
+  const bool all = of_source_.empty() || of_target_.empty() || (n == 1 && m == 1) || sign == 0;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < m; ++j)
       if (all || same_side(i, j)) least = std::min(least, (s[i] + t[j]) / 2);

@@ -24,9 +24,8 @@ class FreeSpace {
   ///
   /// `sign`: of the normals under this pose (FitValue::sign). Both sensors saw the same side of
   /// the surface where it is positive, so that first goes with first and mirrored with mirrored;
-  /// otherwise first with mirrored. The least of those combinations counts. Where only one
-  /// surface has viewpoints, or where the one combination of two given ones is not admissible,
-  /// all are tried.
+  /// first with mirrored where it is negative. The least of those combinations counts. Where only
+  /// one surface has viewpoints, where both are given, or where the sign is 0, all are tried.
   double violation(const Rigid& pose, double sign, Scratch& scratch) const;
 
  private:

@@ -31,7 +31,7 @@ FitValue fit(const Surface& source, const Surface& target, const Rigid& T) {
 }
 
 struct Oracle {
-  double weight = 0, sign = 0, squared = 0, inliers = 0;
+  double weight = 0, same = 0, sign = 0, squared = 0, inliers = 0;
 };
 
 /// Straight from the formula, in double, all against all.
@@ -50,7 +50,9 @@ Oracle oracle(const Surface& from, const Surface& to, const Rigid& T, std::size_
     }
     if (std::sqrt(nearest) >= 1.5 * l || !(std::abs(dot) > 0.7) || !(std::abs(e) < 0.3 * l))
       continue;
-    sum.weight += std::pow(1 - std::pow(e / (0.3 * l), 2), 2);
+    const double weight = std::pow(1 - std::pow(e / (0.3 * l), 2), 2);
+    sum.weight += weight;
+    if (dot > 0) sum.same += weight;
     sum.sign += dot;
     sum.squared += e * e / (l * l);
     sum.inliers += 1;
@@ -67,6 +69,8 @@ void expect_oracle(const FitValue& got, const Surface& source, const Surface& ta
   const double n = count(source), m = count(target), inliers = a.inliers + b.inliers;
   ASSERT_GT(inliers, 20);  // of something
   EXPECT_NEAR(got.chf, (a.weight / n + b.weight / m) / 2, 1e-5);
+  EXPECT_NEAR(got.same_side, (a.same / n + b.same / m) / 2, 1e-5);
+  EXPECT_LT(got.same_side, got.chf);
   EXPECT_EQ(got.inliers_source, a.inliers / n);
   EXPECT_EQ(got.inliers_target, b.inliers / m);
   EXPECT_NEAR(got.sign, (a.sign + b.sign) / inliers, 1e-5);
@@ -114,6 +118,7 @@ TEST(Fit, KnownValuesOfAPlaneShiftedAlongItsNormal) {
   EXPECT_NEAR(off.chf, 0.5625, 1e-5);  // (1 - 0.5^2)^2
   EXPECT_NEAR(off.rms, 0.15, 1e-6);
   EXPECT_EQ(off.sign, -1);
+  EXPECT_EQ(off.same_side, 0);
   EXPECT_EQ(fit(plane, other, pose(0, 0, 0, 0, 0, 0.031)).chf, 0);
   EXPECT_EQ(fit(plane, plane, pose(0, 0, 0, 5, 0, 0)).chf, 0);
   EXPECT_EQ(fit(plane, plane, pose(0, 0, 0, 5, 0, 0)).sign, 0);
@@ -145,8 +150,9 @@ TEST(Fit, PrefersTheTruth) {
 }
 
 bool same(const FitValue& a, const FitValue& b) {
-  return a.chf == b.chf && a.sign == b.sign && a.inliers_source == b.inliers_source &&
-         a.inliers_target == b.inliers_target && a.rms == b.rms;
+  return a.chf == b.chf && a.same_side == b.same_side && a.sign == b.sign &&
+         a.inliers_source == b.inliers_source && a.inliers_target == b.inliers_target &&
+         a.rms == b.rms;
 }
 
 TEST(Fit, SameBitsForEveryKernelThreadAndScratch) {

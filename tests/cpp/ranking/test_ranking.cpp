@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include "ranking/ranking.h"
+#include "surfaces.h"
+#include "tasks/euler.h"
+
+namespace {
+
+using emtr::Ranking;
+using emtr::Rigid;
+using emtr::Surface;
+using emtr::Viewpoints;
+
+const emtr::Kernels& kernels() { return emtr::select_kernels(); }
+
+/// Two planes at right angles, as seen into their corner from (0, 4, 4). Planes lie on planes in
+/// many ways.
+Surface corner(double phase) {
+  Surface out;
+  out.leaf = 0.04;
+  for (int i = 0; i < 35; ++i)
+    for (int j = 0; j < 20; ++j) {
+      const double x = 0.04 * (i - 17 + phase), y = 0.04 * (j + phase);
+      emtr_test::push(out, {x, y, 0}, {0, 0, i % 2 ? 1.0 : -1.0});
+      emtr_test::push(out, {x, 0, y}, {0, j % 2 ? 1.0 : -1.0, 0});
+    }
+  return out;
+}
+
+const Viewpoints kAt{{{{0, 4, 4}}}, 1}, kNone;
+
+TEST(Ranking, IsTheFitLessTwiceTheViolation) {
+  Ranking ranking(corner(0), corner(0.3), kAt, kAt, kernels());
+  Ranking::Scratch scratch;
+  // On the right plane, and turned over: the other plane then stands before the floor.
+  const double particle[6] = {0, 0, 1.5707963267948966, 0, 0.4, 0};
+  for (const Rigid& T : {Rigid{}, emtr::decode(particle)}) {
+    const Ranking::Value value = ranking.evaluate(T, scratch);
+    EXPECT_EQ(value.score, value.fit.same_side - 2 * value.violation);
+  }
+  const Ranking::Value right = ranking.evaluate(Rigid{}, scratch),
+                       wrong = ranking.evaluate(emtr::decode(particle), scratch);
+  EXPECT_GT(right.fit.chf, 0.9);
+  EXPECT_EQ(right.violation, 0);
+  EXPECT_GT(right.fit.sign, 0.95);  // whatever the signs of the normals that were given
+  EXPECT_GT(wrong.violation, 0.05);
+}
+
+TEST(Ranking, LeavesOutViolationsOfPosesThatCannotMatter) {
+  Ranking ranking(corner(0), corner(0.3), kAt, kAt, kernels());
+  Ranking::Scratch scratch;
+  const double particle[6] = {0, 0, 1.5707963267948966, 0, 0.4, 0};
+  const Rigid wrong = emtr::decode(particle);
+  const Ranking::Value all = ranking.evaluate(wrong, scratch);
+  const Ranking::Value bound = ranking.evaluate(wrong, scratch, 0.99);
+  EXPECT_EQ(bound.violation, 0);
+  EXPECT_EQ(bound.score, bound.fit.same_side);
+  EXPECT_GT(bound.score, all.score);
+  EXPECT_EQ(ranking.evaluate(wrong, scratch, -1).score, all.score);
+}
+
+TEST(Ranking, BackOnFrontIsNoFitWhereBothSensorsAreKnown) {
+  // The floor slid under itself, half a turn about x: only its back can lie on the front.
+  const double particle[6] = {0, 0, 3.141592653589793, 0, 0.7, 0};
+  const Rigid turned = emtr::decode(particle);
+  const Viewpoints either{{{{0, 4, 4}}, {{0, -4, -4}}}, 1};
+  Ranking::Scratch scratch;
+  Ranking given(corner(0), corner(0), kAt, kAt, kernels());
+  const Ranking::Value known = given.evaluate(turned, scratch);
+  EXPECT_GT(known.fit.chf, 0.2);
+  EXPECT_EQ(known.fit.same_side, 0);
+  EXPECT_LE(known.score, 0);
+  Ranking estimated(corner(0), corner(0), kAt, either, kernels());
+  const Ranking::Value open = estimated.evaluate(turned, scratch);
+  EXPECT_EQ(open.score, open.fit.chf - 2 * open.violation);
+}
+
+TEST(Ranking, WithoutViewpointsTheFitAlone) {
+  Ranking ranking(corner(0), corner(0.3), kNone, kNone, kernels());
+  Ranking::Scratch scratch;
+  const double particle[6] = {0, 0, 1.5707963267948966, 0, 0.4, 0};
+  const Ranking::Value value = ranking.evaluate(emtr::decode(particle), scratch);
+  EXPECT_EQ(value.violation, 0);
+  EXPECT_EQ(value.score, value.fit.chf);
+}
+
+TEST(Ranking, SameBitsForEveryKernel) {
+  const double particle[6] = {0.1, 0, 0.2, 0, 0.1, 0};
+  Ranking::Scratch scratch;
+  std::vector<double> scores;
+  for (const emtr::Kernels* k : emtr_test::kernels_here()) {
+    Ranking ranking(emtr_test::lumpy_ball(3000, 1, 0.05, 0.01, 0.2),
+                    emtr_test::lumpy_ball(3000, 2, 0.05, 0.01, 0), {{{{0, 0, 4}}}, 1},
+                    {{{{0, 1, 3}}}, 1}, *k);
+    scores.push_back(ranking.evaluate(emtr::decode(particle), scratch).score);
+  }
+  for (const double score : scores) EXPECT_EQ(score, scores[0]);
+}
+
+}  // namespace
