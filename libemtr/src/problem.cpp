@@ -78,9 +78,10 @@ void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress
   watch.lap();
   find_seeds();
   if (settings.candidates > 0)
-    ranking = std::make_unique<Ranking>(
+    surfaces = std::make_unique<Surfaces>(
         surface(densities.source_dense, source_features, densities.leaf_dense),
-        surface(densities.target_dense, target_features, densities.leaf_dense), kernels);
+        surface(densities.target_dense, target_features, densities.leaf_dense), Viewpoints{}, Viewpoints{},
+        kernels);
   seconds_.seeds = watch.lap();
 }
 

@@ -131,8 +131,8 @@ std::vector<Rigid> Registration::starts() const {
 }
 
 Evolution Registration::evolve() {
-  if (problem_.ranking) {
-    search_ = std::make_unique<CandidateSearch>(problem_.pair, *problem_.ranking, settings_,
+  if (problem_.surfaces) {
+    search_ = std::make_unique<CandidateSearch>(problem_.pair, *problem_.surfaces, settings_,
                                                 problem_.kernels);
     shortlist_ = search_->shortlist(problem_.seeds);
   } else {

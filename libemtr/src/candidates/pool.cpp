@@ -12,7 +12,7 @@ std::vector<Rigid> Pool::shortlist(const std::vector<Rigid>& poses, std::size_t 
   std::vector<double> quick(poses.size());
   std::vector<Fit::Scratch> scratch(team.size());
   team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-    quick[i] = ranking_.fit().evaluate(poses[i], Ranking::kQuickStep, scratch[thread]).chf;
+    quick[i] = surfaces_.ranking().fit().evaluate(poses[i], Surfaces::kQuickStep, scratch[thread]).chf;
   });
   std::vector<std::size_t> order(poses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -49,20 +49,14 @@ void Pool::add(const std::vector<Rigid>& poses, Team& team) {
 }
 
 Candidate Pool::judged(const Rigid& start, Scratch& scratch) const {
-  const auto fit = [&](const Rigid& pose) { return ranking_.fit().evaluate(pose, scratch.fit); };
-  Candidate out;
-  out.pose = ranking_.polish()(start, scratch.polish).pose;
-  out.fit = fit(out.pose);
+  const auto scored = [&](const Rigid& pose) {
+    const Ranking::Value v = surfaces_.ranking().evaluate(pose, scratch.ranking);
+    return Candidate{pose, v.fit, v.violation, v.score};
+  };
+  const Candidate polished = scored(surfaces_.polish()(start, scratch.polish).pose);
   // Polish can run off along a plane; then the start was the better answer.
-  const FitValue before = fit(start);
-  if (before.chf > out.fit.chf) {
-    out.pose = start;
-    out.fit = before;
-  }
-  if (const FreeSpace* space = ranking_.free_space())
-    out.violation = space->violation(out.pose, out.fit.sign, scratch.space);
-  out.score = out.fit.chf - 2 * out.violation;
-  return out;
+  const Candidate before = scored(start);
+  return before.score > polished.score ? before : polished;
 }
 
 }  // namespace emtr

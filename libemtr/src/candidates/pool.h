@@ -4,7 +4,7 @@
 
 #include "../team.h"
 #include "../rigid.h"
-#include "ranking.h"
+#include "surfaces.h"
 
 namespace emtr {
 
@@ -20,7 +20,7 @@ struct Candidate {
 /// polish each, then the fine score. Distinct ones, best first.
 class Pool {
  public:
-  explicit Pool(const Ranking& ranking) : ranking_(ranking) {}  ///< which must outlive the pool
+  explicit Pool(const Surfaces& surfaces) : surfaces_(surfaces) {}  ///< which must outlive the pool
 
   /// The `most` poses with the best quick fit that are no copies of each other, best first.
   std::vector<Rigid> shortlist(const std::vector<Rigid>& poses, std::size_t most, Team& team) const;
@@ -32,13 +32,12 @@ class Pool {
 
  private:
   struct Scratch {
-    Fit::Scratch fit;
+    Ranking::Scratch ranking;
     LocalPolish::Scratch polish;
-    FreeSpace::Scratch space;
   };
   Candidate judged(const Rigid& start, Scratch& scratch) const;
 
-  const Ranking& ranking_;
+  const Surfaces& surfaces_;
   std::vector<Candidate> ranked_;
 };
 

@@ -4,14 +4,14 @@
 
 namespace emtr {
 
-CandidateSearch::CandidateSearch(const NormalisedPair& pair, const Ranking& ranking,
+CandidateSearch::CandidateSearch(const NormalisedPair& pair, const Surfaces& surfaces,
                                  const Settings& settings, const Kernels& kernels)
     : pair_(pair),
-      ranking_(ranking),
+      surfaces_(surfaces),
       settings_(settings),
       kernels_(kernels),
       threads_(thread_count(settings)),
-      pool_(std::make_unique<Pool>(ranking)) {}
+      pool_(std::make_unique<Pool>(surfaces)) {}
 
 std::vector<Rigid> CandidateSearch::shortlist(const std::vector<Seed>& seeds) const {
   std::vector<Rigid> poses, out;
@@ -33,15 +33,14 @@ void CandidateSearch::add(const std::vector<Rigid>& poses, const std::vector<Rig
 
 void CandidateSearch::escalate() {
   const Viewpoints of_source =
-      viewpoints(ranking_.source(), settings_.has_viewpoint_source, settings_.viewpoint_source,
+      viewpoints(surfaces_.source(), settings_.has_viewpoint_source, settings_.viewpoint_source,
                  pair_.frame.center_source);
   const Viewpoints of_target =
-      viewpoints(ranking_.target(), settings_.has_viewpoint_target, settings_.viewpoint_target,
+      viewpoints(surfaces_.target(), settings_.has_viewpoint_target, settings_.viewpoint_target,
                  pair_.frame.center_target);
   const auto seeds = escalated_seeds(pair_, of_source, of_target, settings_, kernels_, threads_);
-  oriented_ = settings_.free_space
-                  ? std::make_unique<Ranking>(ranking_, of_source, of_target, kernels_)
-                  : std::make_unique<Ranking>(ranking_.source(), ranking_.target(), kernels_);
+  oriented_ = std::make_unique<Surfaces>(surfaces_.source(), surfaces_.target(), of_source,
+                                         of_target, kernels_);
   auto pool = std::make_unique<Pool>(*oriented_);
   Team::with(threads_, [&](Team& team) {
     std::vector<Rigid> all = pool->shortlist(

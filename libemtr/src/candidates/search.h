@@ -6,7 +6,7 @@
 #include "../seeds/seeds.h"
 #include "../settings.h"
 #include "pool.h"
-#include "ranking.h"
+#include "surfaces.h"
 
 namespace emtr {
 
@@ -14,7 +14,7 @@ namespace emtr {
 class CandidateSearch {
  public:
   /// All arguments must outlive it.
-  CandidateSearch(const NormalisedPair& pair, const Ranking& ranking, const Settings& settings,
+  CandidateSearch(const NormalisedPair& pair, const Surfaces& surfaces, const Settings& settings,
                   const Kernels& kernels);
 
   /// The seeds with the best quick fit, no copies.
@@ -28,19 +28,17 @@ class CandidateSearch {
   bool escalated() const { return oriented_ != nullptr; }
 
   const std::vector<Candidate>& ranked() const { return pool_->ranked(); }
-  /// What the candidates stand on now; with viewpoints after an escalation.
-  const Ranking& ranking() const { return oriented_ ? *oriented_ : ranking_; }
 
  private:
   Viewpoints viewpoints(const Surface& surface, bool given, const double at[3],
                         const double center[3]) const;
 
   const NormalisedPair& pair_;
-  const Ranking& ranking_;
+  const Surfaces& surfaces_;
   const Settings& settings_;
   const Kernels& kernels_;
   const int threads_;
-  std::unique_ptr<Ranking> oriented_;
+  std::unique_ptr<Surfaces> oriented_;  ///< with viewpoints, after an escalation
   std::unique_ptr<Pool> pool_;
 };
 

@@ -38,6 +38,7 @@ class Ranking {
 
   /// For a first pass over many poses: Fit by every step-th point (see Fit::prepare).
   Fit& fit() { return fit_; }
+  const Fit& fit() const { return fit_; }
 
  private:
   const Surface source_, target_;

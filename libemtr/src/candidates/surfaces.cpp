@@ -1,4 +1,4 @@
-#include "ranking.h"
+#include "surfaces.h"
 
 namespace emtr {
 namespace {
@@ -11,28 +11,16 @@ std::unique_ptr<Neighbors> neighbors(const Surface& surface, const Kernels& kern
   return make_candidate_grid(surface.points, kReach * leaf, kCell * leaf, kernels);
 }
 
-Surface oriented(Surface surface, const Viewpoints& viewpoints) {
-  if (!viewpoints.candidates.empty()) orient(surface, viewpoints.candidates.front());
-  return surface;
-}
-
 }  // namespace
 
-Ranking::Ranking(Surface source, Surface target, const Kernels& kernels)
+Surfaces::Surfaces(Surface source, Surface target, const Viewpoints& of_source,
+                   const Viewpoints& of_target, const Kernels& kernels)
     : source_(std::move(source)),
       target_(std::move(target)),
-      fit_(source_, target_, kernels),
+      ranking_(source_, target_, of_source, of_target, kernels),
       near_target_(neighbors(target_, kernels)),
       polish_(source_, target_, nullptr, near_target_.get(), coarse_polish(), kernels) {
-  fit_.prepare(kQuickStep);
-}
-
-Ranking::Ranking(const Ranking& other, Viewpoints of_source, Viewpoints of_target,
-                 const Kernels& kernels)
-    : Ranking(oriented(other.source_, of_source), oriented(other.target_, of_target), kernels) {
-  of_source_ = std::move(of_source);
-  of_target_ = std::move(of_target);
-  free_space_ = std::make_unique<FreeSpace>(source_, target_, of_source_, of_target_, kernels);
+  ranking_.fit().prepare(kQuickStep);
 }
 
 Surface surface(const Cloud& cloud, const Features& features, double leaf) {
