@@ -130,7 +130,7 @@ const std::vector<Setting>& table() {
               "poses polished and ranked", ""),
       SETTING(refine, Switch, "", 0, 1, 1, "refinement",
               "polish the answer on fine clouds", ""),
-      SETTING(refine_leaf, Real, "radii", 1e-3, 0.5, 0.01, "refinement",
+      SETTING(refine_leaf, Real, "radii", 1e-3, 0.5, 0.015, "refinement",
               "leaf of the fine clouds", ""),
       SETTING(maximum_fitness, Real, "", 0, 1, 0.7, "verdict",
               "registered only when the mean of rho over both dense clouds is at most this", ""),

@@ -6,6 +6,7 @@
 #include "nearest.inl"
 #include "sums.inl"
 #include "consensus.inl"
+#include "voxels.inl"
 //
 #include "consistency.inl"
 
@@ -17,6 +18,8 @@ constexpr Kernels all(const char* name) {
   k.transform = transform;
   k.squared_distances = squared_distances;
   k.nearest = nearest;
+  k.voxel_squared_distances = voxel_squared_distances;
+  k.voxel_nearest = voxel_nearest;
   k.rho_sum = rho_sum;
   k.consensus = consensus;
   k.consistent = consistent;

@@ -11,21 +11,35 @@ namespace emtr {
 
 constexpr std::size_t kLanes = 8;  ///< floats that are worked on side by side, in every kernel
 
-/// 32 cells: a bit each for those that list candidates, and how many do before them.
+/// 32 cells: a bit each for those that have points near, and how many do before them.
 struct CellGroup {
   std::uint32_t occupied, before;
+};
+
+/// A regular grid of cells; a query beyond belongs to the cell at the edge.
+struct CellsView {
+  float origin[3], inverse_cell;
+  std::int32_t size[3];  ///< cells along each axis, the first one fastest
+  float limit;           ///< squared radius, the answer where nothing is nearer
+  const CellGroup* groups;
 };
 
 /// A candidate grid (see neighbors/candidate_grid) as bare arrays. Candidates stand in blocks of
 /// kLanes x, kLanes y, kLanes z. The k-th occupied cell lists block k and then the blocks more[k]
 /// to more[k + 1].
 struct GridView {
-  float origin[3], inverse_cell;
-  std::int32_t size[3];  ///< cells along each axis; queries beyond belong to the cell at the edge
-  float limit;           ///< squared radius, the answer where nothing is nearer
-  const CellGroup* groups;
+  CellsView cells;
   const std::uint32_t* more;
   const float* blocks;
+};
+
+/// Voxels (see neighbors/voxel_cells) as bare arrays. The points near the k-th occupied cell are
+/// among those at kLanes places from each of starts[begin[k]] to starts[begin[k + 1]] on.
+struct VoxelView {
+  CellsView cells;
+  const std::uint32_t *begin, *starts;
+  const float *x, *y, *z;
+  const std::int32_t* index;  ///< row in the cloud of each place
 };
 
 /// Points as a structure of arrays.
@@ -95,6 +109,11 @@ struct Kernels {
   /// several; -1 when none is closer than the radius.
   void (*nearest)(const GridView& grid, const PointsView& queries, std::int32_t* candidate,
                   float* squared);
+
+  /// Both on voxels, with index[i] = the row of the nearest point, the smallest of several.
+  void (*voxel_squared_distances)(const VoxelView& voxels, const PointsView& queries, float* out);
+  void (*voxel_nearest)(const VoxelView& voxels, const PointsView& queries, std::int32_t* index,
+                        float* squared);
 
   /// Sum of rho(squared[i]) over fixed lanes: 1 - (1 - squared / c^2)^3.
   double (*rho_sum)(const float* squared, std::size_t n, float inverse_squared_scale);

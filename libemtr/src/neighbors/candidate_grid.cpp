@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
+#include "cells.h"
 #include "neighbors.h"
 
 namespace emtr {
@@ -12,9 +14,8 @@ namespace {
 // the second.
 constexpr double kMostCells = 1 << 22;
 constexpr std::size_t kMostCandidates = std::size_t{1} << 24;
-constexpr std::int32_t kMostAlong = 4096;  // cells an axis
-constexpr std::size_t kLine = 16;          // floats of a cache line
-constexpr float kFar = 1e18f;              // padding: its square is finite and beyond every radius
+constexpr std::size_t kLine = 16;  // floats of a cache line
+constexpr float kFar = 1e18f;      // padding: its square is finite and beyond every radius
 /// Squared distances between boxes and points are widened by this, and boxes by margin(), so that
 /// no rounding can leave out a candidate.
 constexpr float kSlack = 1e-4f;
@@ -30,10 +31,14 @@ class CandidateGrid final : public Neighbors {
  public:
   CandidateGrid(const Cloud& cloud, float radius, float cell, const Kernels& kernels)
       : kernels_(kernels), radius_(radius), cell_(cell) {
-    view_.limit = radius * radius;
-    do lay_out(cloud);
-    while (!list(cloud));
-    view_.groups = groups_.data();
+    do {  // outside of the border of one radius nothing is near
+      const CellLayout layout =
+          lay_out_cells(cloud, radius, radius * (1 + kSlack), cell_, kMostCells);
+      view_.cells = layout.view;
+      cell_ = layout.cell;
+      margin_ = layout.margin;
+    } while (!list(cloud));
+    view_.cells.groups = occupied_->groups();
     view_.more = more_.data();
     view_.blocks = blocks_;
   }
@@ -53,38 +58,12 @@ class CandidateGrid final : public Neighbors {
     std::uint32_t cell, point;
   };
 
-  /// Cells cover the cloud's bounding box and a margin of one radius: outside nothing is near.
-  void lay_out(const Cloud& cloud) {
-    const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};
-    float extent[3], largest = 0;
-    for (int a = 0; a < 3; ++a) {
-      const auto [low, high] = std::minmax_element(axes[a]->begin(), axes[a]->end());
-      view_.origin[a] = *low - radius_ * (1 + kSlack);
-      extent[a] = *high + radius_ * (1 + kSlack) - view_.origin[a];
-      largest = std::max({largest, std::abs(view_.origin[a]), std::abs(*high + radius_)});
-    }
-    for (;; cell_ *= 1.25f) {
-      double cells = 1;
-      std::int32_t along = 0;
-      for (int a = 0; a < 3; ++a) {
-        const float size = std::floor(extent[a] / cell_);
-        view_.size[a] = static_cast<std::int32_t>(std::min<float>(size, kMostAlong)) + 1;
-        along = std::max(along, view_.size[a]);
-        cells *= view_.size[a];
-      }
-      if (cells <= kMostCells && along <= kMostAlong) break;
-    }
-    view_.inverse_cell = 1.0f / cell_;
-    // Rounding of a coordinate, and of its place counted in cells, which are at most kMostAlong.
-    margin_ = 1e-4f + 1e-6f * static_cast<float>(*std::max_element(view_.size, view_.size + 3)) +
-              1e-6f * largest / cell_;
-  }
-
   void reach(float p, int axis, Reach& out) const {
-    const float at = (p - view_.origin[axis]) * view_.inverse_cell;
-    const float span = radius_ * view_.inverse_cell + margin_;
+    const float at = (p - view_.cells.origin[axis]) * view_.cells.inverse_cell;
+    const float span = radius_ * view_.cells.inverse_cell + margin_;
     const auto cell = [&](float place) {
-      return std::clamp(static_cast<std::int32_t>(std::floor(place)), 0, view_.size[axis] - 1);
+      return std::clamp(static_cast<std::int32_t>(std::floor(place)), 0,
+                        view_.cells.size[axis] - 1);
     };
     out.low = cell(at - span);
     out.high = cell(at + span);
@@ -115,8 +94,8 @@ class CandidateGrid final : public Neighbors {
                      z = static_cast<std::size_t>(k - r[2].low);
           const float near = r[1].nearest[y] + r[2].nearest[z];
           const float far = r[1].farthest[y] + r[2].farthest[z];
-          const auto first =
-              static_cast<std::size_t>((k * view_.size[1] + j) * view_.size[0] + r[0].low);
+          const auto first = static_cast<std::size_t>(
+              (k * view_.cells.size[1] + j) * view_.cells.size[0] + r[0].low);
           for (std::size_t x = 0; x < r[0].nearest.size(); ++x)
             if (!visit(first + x, n, near + r[0].nearest[x], far + r[0].farthest[x])) return false;
         }
@@ -127,11 +106,11 @@ class CandidateGrid final : public Neighbors {
   /// Lists each cell's candidates. When they are too many, makes the cells larger and returns
   /// false.
   bool list(const Cloud& cloud) {
-    const std::size_t cells = static_cast<std::size_t>(view_.size[0]) *
-                              static_cast<std::size_t>(view_.size[1]) *
-                              static_cast<std::size_t>(view_.size[2]);
+    const std::size_t cells = static_cast<std::size_t>(view_.cells.size[0]) *
+                              static_cast<std::size_t>(view_.cells.size[1]) *
+                              static_cast<std::size_t>(view_.cells.size[2]);
     // What the nearest point can be at most, wherever in the cell the query lies.
-    std::vector<float> bound(cells, view_.limit);
+    std::vector<float> bound(cells, view_.cells.limit);
     for_each_reach(cloud, [&](std::size_t c, std::size_t, float, float farthest) {
       bound[c] = std::min(bound[c], farthest);
       return true;
@@ -156,16 +135,11 @@ class CandidateGrid final : public Neighbors {
 
   /// The first block of each occupied cell, in the order of cells, then all others.
   void lay_blocks(const std::vector<std::uint32_t>& count) {
-    groups_.assign(count.size() / 32 + 1, {0, 0});
-    std::uint32_t occupied = 0;
-    for (std::size_t c = 0; c < count.size(); ++c) {
-      CellGroup& group = groups_[c / 32];
-      if (c % 32 == 0) group.before = occupied;
-      if (count[c] == 0) continue;
-      group.occupied |= std::uint32_t{1} << (c % 32);
-      ++occupied;
-    }
-    std::uint32_t blocks = occupied;
+    occupied_.emplace(count.size());
+    for (std::size_t c = 0; c < count.size(); ++c)
+      if (count[c] > 0) occupied_->set(c);
+    occupied_->count();
+    auto blocks = static_cast<std::uint32_t>(occupied_->size());
     more_.clear();
     for (const std::uint32_t n : count) {
       if (n == 0) continue;
@@ -183,9 +157,7 @@ class CandidateGrid final : public Neighbors {
   void fill(const Cloud& cloud, const std::vector<Candidate>& candidates) {
     std::vector<std::uint32_t> filled(more_.size() - 1, 0);
     for (const Candidate& c : candidates) {
-      const CellGroup& group = groups_[c.cell / 32];
-      const std::uint32_t from = group.occupied << (31 - c.cell % 32);  // this cell and those below
-      const std::size_t k = group.before + static_cast<std::uint32_t>(__builtin_popcount(from)) - 1;
+      const std::size_t k = occupied_->before(c.cell);
       const std::uint32_t rank = filled[k]++;
       const std::size_t lane = rank % kLanes,
                         block = rank < kLanes ? k : more_[k] + rank / kLanes - 1;
@@ -200,7 +172,7 @@ class CandidateGrid final : public Neighbors {
   const Kernels& kernels_;
   GridView view_{};
   float radius_, cell_, margin_ = 0;  // margin in cells
-  std::vector<CellGroup> groups_;
+  std::optional<Occupancy> occupied_;
   std::vector<std::uint32_t> more_;
   std::vector<float> store_;
   float* blocks_ = nullptr;          // in there, on a line of the cache

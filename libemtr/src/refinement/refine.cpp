@@ -9,13 +9,19 @@
 
 namespace emtr {
 
+namespace {
+
+constexpr double kLeastSpacings = 2;  // a leaf; finer ones hold single points, without normals
+
+}  // namespace
+
 Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& settings,
                const Kernels& kernels) {
   // Finer than its points are spaced a surface has no normals.
   const double spacing = std::max(pair.prepared_source->spacing() * pair.prepared_source->radius,
                                   pair.prepared_target->spacing() * pair.prepared_target->radius) /
                          pair.frame.scale;
-  const double leaf = std::max(settings.refine_leaf, settings.minimum_leaf_spacing * spacing);
+  const double leaf = std::max(settings.refine_leaf, kLeastSpacings * spacing);
   const Surface source = thin_surface(pair.source, leaf), target = thin_surface(pair.target, leaf);
   const Polish polish;
   const auto reach = static_cast<float>(std::max(polish.first_scale, polish.reach) * leaf);

@@ -85,13 +85,18 @@ TEST_P(Neighbors, EveryStructureGivesTheBitsOfBruteForce) {
         return a;
       };
       const Answer truth = ask(*emtr::make_brute_force(cloud, radius));
-      for (const emtr::Kernels* kernels : emtr_test::kernels_here())
+      for (const emtr::Kernels* kernels : emtr_test::kernels_here()) {
+        const Answer voxels = ask(*emtr::make_voxel_cells(cloud, radius, *kernels));
+        EXPECT_EQ(voxels.batch, truth.batch) << kernels->name;
+        EXPECT_EQ(voxels.squared, truth.squared);
+        EXPECT_EQ(voxels.index, truth.index);
         for (const float cell : {0.2f * radius, 0.9f * radius}) {
           const Answer grid = ask(*emtr::make_candidate_grid(cloud, radius, cell, *kernels));
           EXPECT_EQ(grid.batch, truth.batch) << kernels->name;
           EXPECT_EQ(grid.squared, truth.squared);
           EXPECT_EQ(grid.index, truth.index);
         }
+      }
       const Answer tree = ask(*emtr::make_kdtree(cloud, radius));
       EXPECT_EQ(tree.batch, truth.batch);
       EXPECT_EQ(tree.squared, truth.squared);

@@ -1,0 +1,86 @@
+// Nearest neighbours among the points of the voxels around. Included by each instruction set's
+// file.
+
+#include "occupied.inl"
+
+namespace emtr::EMTR_KERNEL {
+namespace {
+
+/// Squared distances of a query to the eight points from `at` on.
+EMTR_INLINE Eight to_points(const VoxelView& v, std::uint32_t at, const Query& q) {
+  const Eight dx = q.x - loaded<kLanes>(v.x + at);
+  const Eight dy = q.y - loaded<kLanes>(v.y + at);
+  const Eight dz = q.z - loaded<kLanes>(v.z + at);
+  return (dx * dx + dy * dy) + dz * dz;
+}
+
+/// Ranges of starts of the queries found, which are asked for before they are needed.
+struct Ranges {
+  std::uint32_t begin[kBatch], end[kBatch];
+};
+
+EMTR_INLINE void find_ranges(const VoxelView& v, const Found& found, Ranges& ranges) {
+  for (std::size_t k = 0; k < found.size; ++k) {
+    const std::uint32_t rank = rank_of(v.cells, found.cell[k]);
+    ranges.begin[k] = v.begin[rank];
+    ranges.end[k] = v.begin[rank + 1];
+    __builtin_prefetch(v.starts + ranges.begin[k]);
+  }
+}
+
+EMTR_INLINE float nearest_in(const VoxelView& v, std::uint32_t begin, std::uint32_t end,
+                             const Query& q) {
+  Eight best = all<kLanes>(v.cells.limit);
+  for (std::uint32_t k = begin; k < end; ++k) best = least(best, to_points(v, v.starts[k], q));
+  return least_of(best);
+}
+
+/// The smallest row of the points at exactly this distance.
+EMTR_INLINE std::int32_t row_at(const VoxelView& v, std::uint32_t begin, std::uint32_t end,
+                                const Query& q, float squared) {
+  std::int32_t row = INT32_MAX;
+  float each[kLanes];
+  for (std::uint32_t k = begin; k < end; ++k) {
+    store<kLanes, Floats>(each, to_points(v, v.starts[k], q));
+    for (std::uint32_t l = 0; l < kLanes; ++l)
+      if (each[l] == squared && v.index[v.starts[k] + l] < row) row = v.index[v.starts[k] + l];
+  }
+  return row;
+}
+
+void voxel_squared_distances(const VoxelView& v, const PointsView& queries, float* out) {
+  Found found;
+  Ranges ranges;
+  for_each_batch(queries, [&](const PointsView& q, std::size_t first) {
+    for (std::size_t i = 0; i < q.size; ++i) out[first + i] = v.cells.limit;
+    sort_out(v.cells, q, found);
+    find_ranges(v, found, ranges);
+    for (std::size_t k = 0; k < found.size; ++k)
+      out[first + found.query[k]] =
+          nearest_in(v, ranges.begin[k], ranges.end[k], query_at(q, found.query[k]));
+  });
+}
+
+void voxel_nearest(const VoxelView& v, const PointsView& queries, std::int32_t* index, float* out) {
+  Found found;
+  Ranges ranges;
+  for_each_batch(queries, [&](const PointsView& q, std::size_t first) {
+    for (std::size_t i = 0; i < q.size; ++i) {
+      out[first + i] = v.cells.limit;
+      index[first + i] = -1;
+    }
+    sort_out(v.cells, q, found);
+    find_ranges(v, found, ranges);
+    for (std::size_t k = 0; k < found.size; ++k) {
+      const std::size_t i = found.query[k];
+      const Query query = query_at(q, i);
+      const float squared = nearest_in(v, ranges.begin[k], ranges.end[k], query);
+      if (!(squared < v.cells.limit)) continue;
+      out[first + i] = squared;
+      index[first + i] = row_at(v, ranges.begin[k], ranges.end[k], query, squared);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace emtr::EMTR_KERNEL

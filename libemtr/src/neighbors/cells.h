@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "../cloud.h"
+
+namespace emtr {
+
+/// A regular grid around a cloud, without its groups.
+struct CellLayout {
+  CellsView view;
+  float cell;    ///< side, as wished or larger
+  float margin;  ///< in cells: how far rounding can put a point from its place at most
+};
+
+/// Cells of the cloud's bounding box and of a border around it. The side grows from `cell` until
+/// there are at most `most_cells` of them.
+CellLayout lay_out_cells(const Cloud& cloud, float radius, float border, float cell,
+                         double most_cells);
+
+/// Which cells have something: a bit each, and how many have before a group of them.
+class Occupancy {
+ public:
+  explicit Occupancy(std::size_t cells) : groups_(cells / 32 + 1, CellGroup{0, 0}) {}
+
+  void set(std::size_t cell) { groups_[cell / 32].occupied |= std::uint32_t{1} << (cell % 32); }
+  void count();  ///< after the last set()
+
+  std::size_t size() const { return size_; }  ///< cells that are set
+  /// Those set before this cell: its own place if it is set.
+  std::size_t before(std::size_t cell) const {
+    const CellGroup& group = groups_[cell / 32];
+    const std::uint32_t below = group.occupied & ((std::uint32_t{1} << (cell % 32)) - 1);
+    return group.before + static_cast<std::size_t>(__builtin_popcount(below));
+  }
+  const CellGroup* groups() const { return groups_.data(); }
+
+  /// Calls visit(cell) for each that is set, in order.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      for (std::uint32_t left = groups_[g].occupied; left != 0; left &= left - 1)
+        visit(g * 32 + static_cast<std::size_t>(__builtin_ctz(left)));
+  }
+
+ private:
+  std::vector<CellGroup> groups_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace emtr
