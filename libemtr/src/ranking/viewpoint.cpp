@@ -13,7 +13,8 @@ using Direction = std::array<double, 3>;
 
 constexpr std::size_t kDirections = 100;
 constexpr double kRadii[] = {1.26, 2.34, 4.33, 8};
-constexpr std::size_t kPromising = 30;  // directions that are looked at with all points
+constexpr double kNarrow = 1, kWide = 2;  // leaves: bins to find a direction, and to judge it by
+constexpr std::size_t kPromising = 30;    // directions that are looked at with all points
 /// Places that see nearly as much as the best, by this share, have a say in the estimate: a sensor
 /// stands in the middle of them rather than at the very best.
 constexpr double kNearlyBest = 0.03;
@@ -73,7 +74,7 @@ std::vector<View> promising(const Surface& surface, const Kernels& kernels) {
     take(from->y, to->y);
     take(from->z, to->z);
   }
-  ZBuffer buffer(some, kernels);
+  ZBuffer buffer(some, kNarrow, kernels);
   std::vector<View> views;
   for (const Direction& direction : directions()) views.push_back(best_along(buffer, direction));
   std::stable_sort(views.begin(), views.end(),
@@ -100,22 +101,25 @@ Direction middle(const std::vector<View>& views, const View& best) {
 }  // namespace
 
 Viewpoints given_viewpoint(const Surface& surface, const Viewpoint& at, const Kernels& kernels) {
-  return {{at}, ZBuffer(surface, kernels).visible_share(at.at)};
+  return {{at}, ZBuffer(surface, kWide, kernels).visible_share(at.at)};
 }
 
 Viewpoints estimate_viewpoints(const Surface& surface, const Kernels& kernels) {
-  ZBuffer buffer(surface, kernels);
+  ZBuffer narrow(surface, kNarrow, kernels), wide(surface, kWide, kernels);
+  const Direction& centroid = narrow.centroid();
   std::vector<View> views = promising(surface, kernels);
-  for (View& view : views)
-    view.share = buffer.visible_share(place(buffer.centroid(), view.direction, view.radius).at);
+  Viewpoints out;
+  for (View& view : views) {
+    const Viewpoint at = place(centroid, view.direction, view.radius);
+    view.share = narrow.visible_share(at.at);
+    out.visible = std::max(out.visible, wide.visible_share(at.at));
+  }
+  if (out.visible < kLeastVisible) return out;
   const View best = *std::max_element(
       views.begin(), views.end(), [](const View& a, const View& b) { return a.share < b.share; });
-  Viewpoints out;
-  out.visible = best.share;
-  if (best.share < kLeastVisible) return out;
-  const View found = best_along(buffer, middle(views, best));
-  out.candidates = {place(buffer.centroid(), found.direction, found.radius),
-                    place(buffer.centroid(), found.direction, -found.radius)};
+  const View found = best_along(narrow, middle(views, best));
+  out.candidates = {place(centroid, found.direction, found.radius),
+                    place(centroid, found.direction, -found.radius)};
   return out;
 }
 

@@ -19,8 +19,9 @@ double mean(const std::vector<float>& v) {
 
 }  // namespace
 
-ZBuffer::ZBuffer(const Surface& surface, const Kernels& kernels)
+ZBuffer::ZBuffer(const Surface& surface, double bin, const Kernels& kernels)
     : surface_(surface),
+      bin_width_(bin * surface.leaf),
       kernels_(kernels),
       centroid_{mean(surface.points.x), mean(surface.points.y), mean(surface.points.z)} {
   for (auto* v : {&x_, &y_, &z_, &range_, &allowance_}) v->resize(surface.points.size());
@@ -29,7 +30,7 @@ ZBuffer::ZBuffer(const Surface& surface, const Kernels& kernels)
 
 void ZBuffer::measure(const double viewpoint[3]) {
   const Cloud &p = surface_.points, &n = surface_.normals;
-  const auto leaf = static_cast<float>(surface_.leaf);
+  const auto leaf = static_cast<float>(surface_.leaf), bin = static_cast<float>(bin_width_);
   const auto x = static_cast<float>(viewpoint[0]), y = static_cast<float>(viewpoint[1]),
              z = static_cast<float>(viewpoint[2]);
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -40,7 +41,7 @@ void ZBuffer::measure(const double viewpoint[3]) {
     float cosine = along < range ? along / range : 1.0f;
     cosine = cosine > kLeastCosine ? cosine : kLeastCosine;
     range_[i] = range;
-    allowance_[i] = leaf * (1 + std::sqrt(1 / (cosine * cosine) - 1));
+    allowance_[i] = leaf + bin * std::sqrt(1 / (cosine * cosine) - 1);
   }
 }
 
@@ -48,8 +49,8 @@ double ZBuffer::visible_share(const double viewpoint[3]) {
   const Cloud& points = surface_.points;
   const std::size_t n = points.size();
   measure(viewpoint);
-  const double leaf = surface_.leaf;
-  const DirectionBins bins(viewpoint, centroid_.data(), leaf / std::max(mean(range_), leaf));
+  const DirectionBins bins(viewpoint, centroid_.data(),
+                           bin_width_ / std::max(mean(range_), bin_width_));
   transform(kernels_, points, bins.to_view(), x_.data(), y_.data(), z_.data());
   const auto side = static_cast<std::size_t>(bins.side());
   if (nearest_.size() < 6 * side * side) nearest_.resize(6 * side * side);
