@@ -40,7 +40,9 @@ Problem::Problem(const PreparedCloudPtr& source, const PreparedCloudPtr& target,
 
 void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress) {
   Stopwatch watch;
-  const auto stop = [&](const char* stage) { return stopped_ = on_progress && on_progress({stage, 0, 0, 0, 0}); };
+  const auto stop = [&](const char* stage) {
+    return stopped_ = on_progress && on_progress({stage, 0, 0, 0, 0});
+  };
 
   if (stop("frame")) return;
   watch.lap();
@@ -80,8 +82,8 @@ void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress
   if (settings.candidates > 0)
     surfaces = std::make_unique<Surfaces>(
         surface(densities.source_dense, source_features, densities.leaf_dense),
-        surface(densities.target_dense, target_features, densities.leaf_dense), Viewpoints{}, Viewpoints{},
-        kernels);
+        surface(densities.target_dense, target_features, densities.leaf_dense), Viewpoints{},
+        Viewpoints{}, kernels);
   seconds_.seeds = watch.lap();
 }
 
@@ -98,8 +100,8 @@ void Problem::match_features() {
   // The best of them are enough for the tasks; all of them look for seeds.
   const std::size_t few = std::min(correspondences.size(),
                                    correspondence_cap(static_cast<std::size_t>(settings.max_tims)));
-  const std::vector<Correspondence> best(correspondences.begin(),
-                                         correspondences.begin() + static_cast<std::ptrdiff_t>(few));
+  const std::vector<Correspondence> best(
+      correspondences.begin(), correspondences.begin() + static_cast<std::ptrdiff_t>(few));
   tims = form_tims(densities.source_dense, densities.target_dense, best,
                    TaskBeta::threshold(tau, settings));
 }

@@ -51,7 +51,7 @@ class Problem {
   std::unique_ptr<TaskAlpha> alpha;
   std::unique_ptr<TaskBeta> beta;
   std::unique_ptr<KnowledgeComplement> complement;
-  std::unique_ptr<Surfaces> surfaces;  ///< null when the settings ask for no candidates
+  std::unique_ptr<Surfaces> surfaces;     ///< null when the settings ask for no candidates
   std::atomic<std::uint64_t> lookups{0};  ///< of calls from outside, stage by stage
 
  private:

@@ -107,7 +107,7 @@ void Registration::describe_problem() {
   r.free_directions = -1;
   r.reason = EMTR_REASON_INTERRUPTED;
   r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.inlier_rmse = r.mode_gap = kUnknown;
-  r.score = r.fit = r.violation = r.score_gap = kUnknown;
+  r.confidence = r.score = r.fit = r.violation = r.score_gap = kUnknown;
 }
 
 std::vector<Rigid> Registration::guess() const {
@@ -141,8 +141,7 @@ Evolution Registration::evolve() {
   Evolution out = emtr::evolve(
       *problem_.alpha, *problem_.beta, *problem_.complement, settings_, starts(),
       [&](int done, double alpha, double beta) {
-        return on_progress_ &&
-               on_progress_({"evolution", done, settings_.iterations, alpha, beta});
+        return on_progress_ && on_progress_({"evolution", done, settings_.iterations, alpha, beta});
       });
   result_->lookups_evaluation = out.lookups_evaluation;
   result_->lookups_switch = out.lookups_switch;
@@ -176,8 +175,8 @@ void Registration::refine() {
 
 void Registration::conclude(const Evolution& evolution) {
   Result& r = *result_;
-  const Verdict v = judge(evolution, answer_, *problem_.alpha, problem_.correspondences.size(),
-                          settings_);
+  const Verdict v =
+      judge(evolution, answer_, *problem_.alpha, problem_.correspondences.size(), settings_);
   r.registered = v.registered;
   r.reason = v.reason;
   r.fitness = v.fitness;
@@ -203,6 +202,11 @@ void Registration::conclude_candidates() {
   r.violation = best.violation;
   r.score_gap = standing_.gap;
   r.confidence = standing_.confidence;
+  if (!stopped_) {
+    r.reason = reason(best, standing_, refined_.spectrum.free > 0 && refined_.succeeded,
+                      problem_.correspondences.size(), settings_);
+    r.registered = r.reason == EMTR_REASON_REGISTERED;
+  }
   for (const Candidate& other : standing_.others) {
     r.others.emplace_back();
     to_matrix(problem_.frame.to_user(other.pose), r.others.back().transformation);

@@ -36,8 +36,8 @@ class Registration {
   const OnProgress& on_progress_;
   std::unique_ptr<Result> result_;
   std::unique_ptr<CandidateSearch> search_;  ///< null when none are asked for
-  std::vector<Rigid> shortlist_;  ///< the best seeds
-  Rigid answer_;  ///< normalised frame
+  std::vector<Rigid> shortlist_;             ///< the best seeds
+  Rigid answer_;                             ///< normalised frame
   Standing standing_;
   Refined refined_;
   bool stopped_ = false;

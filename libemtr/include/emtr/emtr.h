@@ -73,16 +73,16 @@ typedef struct emtr_settings {
   double minimum_leaf_spacing; /* dense leaf >= this many point spacings */
 
   /* features and matches */
-  double normal_radius;  /* dense leaves */
-  double feature_radius; /* dense leaves */
+  double normal_radius;        /* dense leaves */
+  double feature_radius;       /* dense leaves */
   int32_t features;            /* 0 PCL's own functions, 1 vectorised: the same definition */
   int32_t max_correspondences; /* matches kept, those with the nearest descriptors */
   int32_t max_tims;            /* cap on pairs of correspondences */
 
   /* seeds: poses that spatially consistent matches agree on */
-  int32_t seeds;           /* 0: none */
-  double seed_threshold;   /* dense leaves */
-  int32_t injected_seeds;  /* of them, particles of both swarms that start there */
+  int32_t seeds;          /* 0: none */
+  double seed_threshold;  /* dense leaves */
+  int32_t injected_seeds; /* of them, particles of both swarms that start there */
 
   /* task beta */
   double tau_factor;       /* tau / mean resolution of the feature clouds */
@@ -307,15 +307,16 @@ typedef struct emtr_result {
   const char* kernel; /* what emtr_kernel_name() gave */
 
   /* the answer's standing among the candidates */
-  double confidence;  /* held probability that the pose is right: within 5 degrees and 0.06 radii */
-  double score;       /* fit - 2 violation, at most 1; NaN without candidates, as the two below */
-  double fit;         /* how well the surfaces lie on each other, 0 to 1 (best) */
-  double violation;   /* share of points in front of what the other scan saw */
-  double score_gap;   /* score minus that of the best clearly different candidate */
-  size_t seeds;       /* poses that consistent matches gave, at all feature densities */
-  size_t candidates;  /* distinct poses ranked */
-  int32_t escalated;  /* 1: searched again with more feature points */
-  int32_t refined;    /* 1: polished on fine clouds */
+  double confidence; /* held probability that the pose is right (within 5 degrees and 0.06 radii),
+                        0 to 1; NaN without candidates, as the four below */
+  double score;      /* fit - 2 violation, at most 1 */
+  double fit;        /* how well the surfaces lie on each other, 0 to 1 (best) */
+  double violation;  /* share of points in front of what the other scan saw */
+  double score_gap;  /* score minus that of the best clearly different candidate */
+  size_t seeds;      /* poses that consistent matches gave, at all feature densities */
+  size_t candidates; /* distinct poses ranked */
+  int32_t escalated; /* 1: searched again with more feature points */
+  int32_t refined;   /* 1: polished on fine clouds */
   size_t alternative_count; /* clearly different poses, best first, at most 10 */
   const emtr_alternative* alternatives;
 

@@ -43,9 +43,8 @@ std::vector<Rigid> escalated_seeds(const NormalisedPair& pair, const Viewpoints&
     const double threshold = settings.seed_threshold * d.leaf_dense;
     const Consistency consistency(d.source_dense, d.target_dense, matches, threshold, kernels,
                                   threads);
-    for (const Seed& seed :
-         find_seeds(consistency, threshold, static_cast<std::size_t>(settings.escalation_seeds),
-                    threads))
+    for (const Seed& seed : find_seeds(
+             consistency, threshold, static_cast<std::size_t>(settings.escalation_seeds), threads))
       out.push_back(seed.pose);
   };
   search(source);

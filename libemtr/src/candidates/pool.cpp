@@ -12,7 +12,8 @@ std::vector<Rigid> Pool::shortlist(const std::vector<Rigid>& poses, std::size_t 
   std::vector<double> quick(poses.size());
   std::vector<Fit::Scratch> scratch(team.size());
   team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-    quick[i] = surfaces_.ranking().fit().evaluate(poses[i], Surfaces::kQuickStep, scratch[thread]).chf;
+    quick[i] =
+        surfaces_.ranking().fit().evaluate(poses[i], Surfaces::kQuickStep, scratch[thread]).chf;
   });
   std::vector<std::size_t> order(poses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -21,9 +22,8 @@ std::vector<Rigid> Pool::shortlist(const std::vector<Rigid>& poses, std::size_t 
   std::vector<Rigid> out;
   for (const std::size_t i : order) {
     if (out.size() == most) break;
-    const bool copy = std::any_of(out.begin(), out.end(), [&](const Rigid& other) {
-      return within(poses[i], other, kCopy);
-    });
+    const bool copy = std::any_of(
+        out.begin(), out.end(), [&](const Rigid& other) { return within(poses[i], other, kCopy); });
     if (!copy) out.push_back(poses[i]);
   }
   return out;

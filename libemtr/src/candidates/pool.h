@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "../team.h"
 #include "../rigid.h"
+#include "../team.h"
 #include "surfaces.h"
 
 namespace emtr {

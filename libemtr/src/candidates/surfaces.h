@@ -15,8 +15,8 @@ class Surfaces {
   static constexpr std::size_t kQuickStep = 8;  ///< a shortlist looks at every eighth point
 
   /// Viewpoints without candidates: free space says nothing.
-  Surfaces(Surface source, Surface target, const Viewpoints& of_source,
-           const Viewpoints& of_target, const Kernels& kernels);
+  Surfaces(Surface source, Surface target, const Viewpoints& of_source, const Viewpoints& of_target,
+           const Kernels& kernels);
   Surfaces(const Surfaces&) = delete;
   Surfaces& operator=(const Surfaces&) = delete;
 

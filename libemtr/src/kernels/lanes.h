@@ -174,7 +174,8 @@ EMTR_INLINE bool any(const Ints<N>& mask) {
     if constexpr (N == 16) return __builtin_ia32_cvtd2mask512(mask.v) != 0;
 #endif
 #if defined(__AVX2__)
-    if constexpr (N == 8) return __builtin_ia32_movmskps256((typename Register<N>::Float)mask.v) != 0;
+    if constexpr (N == 8)
+      return __builtin_ia32_movmskps256((typename Register<N>::Float)mask.v) != 0;
 #endif
 #if defined(__SSE2__)
     if constexpr (N == 4) return __builtin_ia32_movmskps((typename Register<N>::Float)mask.v) != 0;

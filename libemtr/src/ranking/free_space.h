@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "depth_map.h"
 #include "../surface.h"
+#include "depth_map.h"
 #include "viewpoint.h"
 
 namespace emtr {

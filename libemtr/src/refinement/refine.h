@@ -8,9 +8,9 @@ namespace emtr {
 
 /// The answer polished on fine clouds.
 struct Refined {
-  bool succeeded = false;  ///< false: nothing held the pose, which is the one at the start
-  Rigid pose;              ///< normalised frame
-  double rmse = 0;         ///< see Polished
+  bool succeeded = false;       ///< false: nothing held the pose, which is the one at the start
+  Rigid pose;                   ///< normalised frame
+  double rmse = 0;              ///< see Polished
   double information[36] = {};  ///< see information()
   Spectrum spectrum;
 };

@@ -17,9 +17,7 @@ class Consistency {
               const Kernels& kernels, int threads);
 
   std::size_t size() const { return n_; }
-  bool operator()(std::size_t i, std::size_t j) const {
-    return row(i)[j / 64] >> (j % 64) & 1;
-  }
+  bool operator()(std::size_t i, std::size_t j) const { return row(i)[j / 64] >> (j % 64) & 1; }
   /// With how many others correspondence i is consistent.
   std::size_t degree(std::size_t i) const { return degree_[i]; }
   /// Second order (SC2): how many are consistent with both.

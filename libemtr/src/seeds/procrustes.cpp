@@ -19,9 +19,9 @@ Rigid Procrustes::pose() const {
   using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   Rigid out;
   if (!(weight_ > 0)) return out;
-  const Eigen::Vector3d p = Eigen::Vector3d::Map(p_) / weight_, q = Eigen::Vector3d::Map(q_) / weight_;
-  const Eigen::Matrix3d covariance =
-      Eigen::Map<const Matrix>(pq_) / weight_ - p * q.transpose();
+  const Eigen::Vector3d p = Eigen::Vector3d::Map(p_) / weight_,
+                        q = Eigen::Vector3d::Map(q_) / weight_;
+  const Eigen::Matrix3d covariance = Eigen::Map<const Matrix>(pq_) / weight_ - p * q.transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Matrix3d &U = svd.matrixU(), &V = svd.matrixV();

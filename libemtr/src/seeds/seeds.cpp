@@ -86,9 +86,7 @@ class Fit {
     return out;
   }
 
-  void add(Procrustes& sums, std::size_t i) const {
-    sums.add(at(c_.p(), i).v, at(c_.q(), i).v);
-  }
+  void add(Procrustes& sums, std::size_t i) const { sums.add(at(c_.p(), i).v, at(c_.q(), i).v); }
 
   std::size_t inliers(const Rigid& pose, Procrustes* sums) const {
     std::size_t count = 0;
@@ -120,7 +118,8 @@ std::vector<Seed> find_seeds(const Consistency& consistency, double threshold, s
     const std::vector<std::size_t> chosen = centres(consistency, threshold, most, team);
     const Fit fit(consistency, threshold);
     seeds.resize(chosen.size());
-    team.parallel(chosen.size(), [&](std::size_t k, std::size_t) { seeds[k] = fit.around(chosen[k]); });
+    team.parallel(chosen.size(),
+                  [&](std::size_t k, std::size_t) { seeds[k] = fit.around(chosen[k]); });
   });
   std::stable_sort(seeds.begin(), seeds.end(),
                    [](const Seed& a, const Seed& b) { return a.inliers > b.inliers; });

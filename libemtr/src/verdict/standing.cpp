@@ -9,6 +9,9 @@ namespace emtr {
 namespace {
 
 constexpr std::size_t kMostOthers = 10;
+constexpr std::size_t kFewMatches = 10;
+constexpr double kFits = 0.15;   // scores below it are reached by poses that mean nothing
+constexpr double kAsGood = 0.8;  // of the best score, to be another answer instead of a worse one
 
 // A logistic model of "within 5 degrees and 0.06 radii", fitted to runs with and without their
 // right candidates.
@@ -30,6 +33,16 @@ Standing stand(const std::vector<Candidate>& ranked) {
   out.confidence =
       1 / (1 + std::exp(-(kBias + kOfScore * best.score + kOfGap * std::max(0.0, out.gap))));
   return out;
+}
+
+emtr_reason reason(const Candidate& best, const Standing& standing, bool slides,
+                   std::size_t correspondences, const Settings& settings) {
+  if (standing.confidence >= settings.minimum_confidence)
+    return slides ? EMTR_REASON_DEGENERATE : EMTR_REASON_REGISTERED;
+  if (correspondences < kFewMatches) return EMTR_REASON_FEW_MATCHES;
+  const bool rival = !standing.others.empty() && best.score > 0 &&
+                     standing.others.front().score > kAsGood * best.score;
+  return rival && best.score > kFits ? EMTR_REASON_AMBIGUOUS : EMTR_REASON_LOW_OVERLAP;
 }
 
 }  // namespace emtr

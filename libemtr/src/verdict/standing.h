@@ -1,17 +1,23 @@
 #pragma once
 
 #include "../candidates/pool.h"
+#include "../settings.h"
 
 namespace emtr {
 
 /// How the best candidate stands among the others, and what may be believed of it.
 struct Standing {
-  double gap = 0;         ///< score minus that of the best clearly different candidate
-  double confidence = 0;  ///< held probability that it is right
+  double gap = 0;                 ///< score minus that of the best clearly different candidate
+  double confidence = 0;          ///< held probability that it is right
   std::vector<Candidate> others;  ///< clearly different from the best and from each other
 };
 
 /// `ranked`: of a pool, best first, not empty.
 Standing stand(const std::vector<Candidate>& ranked);
+
+/// Why the best candidate is held to be right, or not. `slides`: the surfaces do not hold it in all
+/// directions. `correspondences`: how many matches there were.
+emtr_reason reason(const Candidate& best, const Standing& standing, bool slides,
+                   std::size_t correspondences, const Settings& settings);
 
 }  // namespace emtr

@@ -43,8 +43,8 @@ double other_mode(const Evolution& evolution, const Rigid& best, const TaskAlpha
 
 }  // namespace
 
-Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& alpha, std::size_t correspondences,
-              const Settings& settings) {
+Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& alpha,
+              std::size_t correspondences, const Settings& settings) {
   const double c = alpha.scale(EMTR_STAGE_DENSE);
   const TaskAlpha::Residuals source = alpha.residuals_source(pose);
   const TaskAlpha::Residuals target = alpha.residuals_target(pose);

@@ -15,8 +15,9 @@ struct Verdict {
   double mode_gap = 0;     ///< mean fitness of the best clearly different pose, minus fitness
 };
 
-/// Judges a pose, the evolution's best or one made from it. `correspondences`: how many matches task beta had.
-Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& alpha, std::size_t correspondences,
-              const Settings& settings);
+/// Judges a pose, the evolution's best or one made from it. `correspondences`: how many matches
+/// task beta had.
+Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& alpha,
+              std::size_t correspondences, const Settings& settings);
 
 }  // namespace emtr

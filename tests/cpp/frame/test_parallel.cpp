@@ -1,9 +1,9 @@
-#include "frame/parallel.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <vector>
+
+#include "frame/parallel.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "../support/clouds.h"
-#include "surface.h"
 #include "rigid.h"
+#include "surface.h"
 
 namespace emtr_test {
 

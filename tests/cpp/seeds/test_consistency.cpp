@@ -1,9 +1,8 @@
-#include "seeds/consistency.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "seeds/consistency.h"
 #include "support/clouds.h"
 
 namespace {

@@ -1,9 +1,8 @@
-#include "seeds/procrustes.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "seeds/procrustes.h"
 #include "tasks/euler.h"
 
 namespace {

@@ -1,9 +1,8 @@
-#include "seeds/seeds.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "seeds/seeds.h"
 #include "support/clouds.h"
 #include "tasks/euler.h"
 #include "tasks/transform.h"
@@ -56,8 +55,7 @@ TEST(Seeds, FindThePoseOfAFewInMany) {
 
 TEST(Seeds, TheBestSupportedComesFirst) {
   const auto seeds = Scene(30, 300).seeds(100, 1);
-  for (std::size_t i = 1; i < seeds.size(); ++i)
-    EXPECT_GE(seeds[i - 1].inliers, seeds[i].inliers);
+  for (std::size_t i = 1; i < seeds.size(); ++i) EXPECT_GE(seeds[i - 1].inliers, seeds[i].inliers);
 }
 
 TEST(Seeds, AreTheSameForAnyThreads) {
