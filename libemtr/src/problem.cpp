@@ -16,10 +16,10 @@ namespace {
 enum NeighborKind { Grid = 0, KdTree = 1, Brute = 2 };
 
 std::unique_ptr<Neighbors> make_neighbors(int kind, const Cloud& cloud, float radius, float leaf,
-                                          const Kernels& kernels) {
+                                          double queries, const Kernels& kernels) {
   if (kind == KdTree) return make_kdtree(cloud, radius);
   if (kind == Brute) return make_brute_force(cloud, radius);
-  return make_candidate_grid(cloud, radius, leaf, kernels);
+  return make_neighbors(cloud, radius, leaf, queries, kernels);
 }
 
 }  // namespace
@@ -120,7 +120,10 @@ std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
 
 void Problem::make_tasks() {
   const auto make = [this](const Cloud& cloud, float radius, float leaf) {
-    return make_neighbors(settings.neighbors, cloud, radius, leaf, kernels);
+    // The other cloud has about as many points, and is looked up in about half of the iterations.
+    const double queries =
+        0.5 * settings.population * settings.iterations * static_cast<double>(cloud.size());
+    return make_neighbors(settings.neighbors, cloud, radius, leaf, queries, kernels);
   };
   alpha = std::make_unique<TaskAlpha>(densities, settings, kernels, make);
   beta = std::make_unique<TaskBeta>(tims, tau, settings, kernels);

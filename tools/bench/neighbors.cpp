@@ -1,12 +1,15 @@
-// Nanoseconds a look-up of the nearest neighbour, truncated where the M-estimator is flat:
-// pcl::KdTreeFLANN, nanoflann and the candidate grid with each kernel, for clouds of 600 to 100000
-// points, in random poses as a swarm begins with, and aligned as it ends.
+// Nanoseconds a look-up of the nearest neighbour, truncated where the M-estimator is flat, and the
+// time to make the structure: pcl::KdTreeFLANN, nanoflann, and the candidate grid and voxel cells
+// with each kernel, for clouds of 600 to 100000 points, in random poses as a swarm begins with, and
+// aligned as it ends.
 #include "neighbors/neighbors.h"
 
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <nanoflann.hpp>
 #include <random>
 #include <string>
@@ -94,50 +97,107 @@ struct Adaptor {
   }
 };
 
+using Tree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Adaptor>, Adaptor, 3>;
+
+std::unique_ptr<Tree> make_nanoflann(const Adaptor& adaptor) {
+  auto tree = std::make_unique<Tree>(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+  tree->buildIndex();
+  return tree;
+}
+
 void by_nanoflann(benchmark::State& state, std::size_t n, bool aligned) {
-  using Tree =
-      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Adaptor>, Adaptor, 3>;
   const Cloud cloud = surface(n, 1);
   const Adaptor adaptor{cloud};
-  Tree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-  tree.buildIndex();
+  const auto tree = make_nanoflann(adaptor);
   time_look_ups(state, n, aligned, [&](const Cloud& q, std::vector<float>& out) {
     for (std::size_t i = 0; i < q.size(); ++i) {
       const float point[3] = {q.x[i], q.y[i], q.z[i]};
       std::uint32_t index;
-      tree.knnSearch(point, 1, &index, &out[i]);
+      tree->knnSearch(point, 1, &index, &out[i]);
     }
   });
 }
 
-void by_structure(benchmark::State& state, std::size_t n, bool aligned,
-                  const emtr::Kernels* kernels) {
+/// Makes a structure of a cloud, with a radius and a leaf.
+using Make = std::function<std::unique_ptr<emtr::Neighbors>(const Cloud&, float, float)>;
+
+void by_structure(benchmark::State& state, std::size_t n, bool aligned, const Make& make) {
   const Cloud cloud = surface(n, 1);
-  const float radius = static_cast<float>(kScale) * leaf_of(n);
-  const auto structure = kernels ? emtr::make_candidate_grid(cloud, radius, leaf_of(n), *kernels)
-                                 : emtr::make_kdtree(cloud, radius);
+  const auto structure = make(cloud, static_cast<float>(kScale) * leaf_of(n), leaf_of(n));
   time_look_ups(state, n, aligned, [&](const Cloud& q, std::vector<float>& out) {
     structure->squared_distances(q.view(), out.data());
   });
 }
 
+/// Times make(cloud), whatever it returns.
+template <class MakeOne>
+void time_making(benchmark::State& state, std::size_t n, MakeOne make) {
+  const Cloud cloud = surface(n, 1);
+  for (auto _ : state) {
+    const auto made = make(cloud);
+    benchmark::DoNotOptimize(made.get());
+  }
+  state.counters["a_point"] =
+      benchmark::Counter(static_cast<double>(n), benchmark::Counter::kIsIterationInvariantRate |
+                                                     benchmark::Counter::kInvert);
+}
+
+template <class Run>
+void add(const std::string& structure, const std::string& what, std::size_t n, Run run) {
+  const std::string name = structure + "/" + what + "/" + std::to_string(n);
+  benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
+}
+
+void add_structure(const std::string& name, std::size_t n, const Make& make) {
+  for (const bool aligned : {false, true})
+    add(name, aligned ? "aligned" : "random", n,
+        [=](benchmark::State& s) { by_structure(s, n, aligned, make); });
+}
+
+void add_making(const std::string& name, std::size_t n, const Make& make) {
+  add(name, "make", n, [=](benchmark::State& s) {
+    time_making(s, n, [&](const Cloud& cloud) {
+      return make(cloud, static_cast<float>(kScale) * leaf_of(n), leaf_of(n));
+    });
+  });
+}
+
 void register_all() {
-  for (const std::size_t n : {600u, 2000u, 5000u, 20000u, 100000u})
-    for (const bool aligned : {false, true}) {
-      const auto name = [&](const std::string& structure) {
-        return structure + (aligned ? "/aligned/" : "/random/") + std::to_string(n);
-      };
-      const auto add = [&](const std::string& structure, auto run) {
-        benchmark::RegisterBenchmark(name(structure).c_str(), run);
-      };
-      add("flann", [=](benchmark::State& s) { by_structure(s, n, aligned, nullptr); });
-      add("nanoflann", [=](benchmark::State& s) { by_nanoflann(s, n, aligned); });
-      if (n > 20000) continue;  // beyond, the grid's making costs more than it saves
-      for (std::size_t i = 0; const emtr::Kernels* kernels = emtr::kernels_at(i); ++i)
-        if (emtr::can_run(*kernels))
-          add(std::string("grid_") + kernels->name,
-              [=](benchmark::State& s) { by_structure(s, n, aligned, kernels); });
-    }
+  const Make flann = [](const Cloud& cloud, float radius, float) {
+    return emtr::make_kdtree(cloud, radius);
+  };
+  const auto grid = [](const emtr::Kernels& kernels) -> Make {
+    return [&](const Cloud& cloud, float radius, float leaf) {
+      return emtr::make_candidate_grid(cloud, radius, leaf, kernels);
+    };
+  };
+  const auto voxels = [](const emtr::Kernels& kernels) -> Make {
+    return [&](const Cloud& cloud, float radius, float) {
+      return emtr::make_voxel_cells(cloud, radius, kernels);
+    };
+  };
+  const emtr::Kernels& any = *emtr::kernels_at(0);  // making uses none
+  for (const std::size_t n : {600u, 2000u, 5000u, 20000u, 100000u}) {
+    add_making("flann", n, flann);
+    add("nanoflann", "make", n, [=](benchmark::State& s) {
+      time_making(s, n, [](const Cloud& cloud) {
+        const Adaptor adaptor{cloud};
+        return make_nanoflann(adaptor);
+      });
+    });
+    add_making("grid", n, grid(any));
+    add_making("voxels", n, voxels(any));
+    add_structure("flann", n, flann);
+    for (const bool aligned : {false, true})
+      add("nanoflann", aligned ? "aligned" : "random", n,
+          [=](benchmark::State& s) { by_nanoflann(s, n, aligned); });
+    for (std::size_t i = 0; const emtr::Kernels* kernels = emtr::kernels_at(i); ++i)
+      if (emtr::can_run(*kernels)) {
+        add_structure(std::string("grid_") + kernels->name, n, grid(*kernels));
+        add_structure(std::string("voxels_") + kernels->name, n, voxels(*kernels));
+      }
+  }
 }
 
 }  // namespace

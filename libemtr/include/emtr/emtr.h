@@ -130,6 +130,7 @@ typedef struct emtr_settings {
   int32_t escalation; /* 0 off, 1 when the confidence is below escalation_confidence, 2 always */
   double escalation_confidence;
   int32_t escalation_points; /* of both clouds together */
+  int32_t escalation_correspondences;
   int32_t escalation_seeds;
   int32_t escalation_candidates;
 

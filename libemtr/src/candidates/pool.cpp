@@ -49,14 +49,14 @@ void Pool::add(const std::vector<Rigid>& poses, Team& team) {
 }
 
 Candidate Pool::judged(const Rigid& start, Scratch& scratch) const {
-  const auto scored = [&](const Rigid& pose) {
-    const Ranking::Value v = surfaces_.ranking().evaluate(pose, scratch.ranking);
-    return Candidate{pose, v.fit, v.violation, v.score};
+  const Ranking& ranking = surfaces_.ranking();
+  const auto quick = [&](const Rigid& pose) {
+    return ranking.fit().evaluate(pose, Surfaces::kQuickStep, scratch.ranking.fit).chf;
   };
-  const Candidate polished = scored(surfaces_.polish()(start, scratch.polish).pose);
-  // Polish can run off along a plane; then the start was the better answer.
-  const Candidate before = scored(start);
-  return before.score > polished.score ? before : polished;
+  Rigid pose = surfaces_.polish()(start, scratch.polish).pose;
+  if (quick(pose) < quick(start)) pose = start;  // polish can run off along a plane
+  const Ranking::Value v = ranking.evaluate(pose, scratch.ranking);
+  return {pose, v.fit, v.violation, v.score};
 }
 
 }  // namespace emtr

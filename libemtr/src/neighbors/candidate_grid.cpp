@@ -14,8 +14,9 @@ namespace {
 // the second.
 constexpr double kMostCells = 1 << 22;
 constexpr std::size_t kMostCandidates = std::size_t{1} << 24;
-constexpr std::size_t kLine = 16;  // floats of a cache line
-constexpr float kFar = 1e18f;      // padding: its square is finite and beyond every radius
+constexpr double kMostVisits = 1 << 28;  // of points to cells while it is made: a second
+constexpr std::size_t kLine = 16;        // floats of a cache line
+constexpr float kFar = 1e18f;            // padding: its square is finite and beyond every radius
 /// Squared distances between boxes and points are widened by this, and boxes by margin(), so that
 /// no rounding can leave out a candidate.
 constexpr float kSlack = 1e-4f;
@@ -109,6 +110,12 @@ class CandidateGrid final : public Neighbors {
     const std::size_t cells = static_cast<std::size_t>(view_.cells.size[0]) *
                               static_cast<std::size_t>(view_.cells.size[1]) *
                               static_cast<std::size_t>(view_.cells.size[2]);
+    const double visits = static_cast<double>(cloud.size()) *
+                          std::pow(2.0 * static_cast<double>(radius_ / cell_) + 1, 3);
+    if (cells > 1 && visits > kMostVisits) {
+      cell_ *= 1.5f;
+      return false;
+    }
     // What the nearest point can be at most, wherever in the cell the query lies.
     std::vector<float> bound(cells, view_.cells.limit);
     for_each_reach(cloud, [&](std::size_t c, std::size_t, float, float farthest) {

@@ -12,6 +12,7 @@ namespace emtr {
 namespace {
 
 constexpr double kLeastSpacings = 2;  // a leaf; finer ones hold single points, without normals
+constexpr double kQueries = 5e4;      // look-ups of one polish, about
 
 }  // namespace
 
@@ -26,7 +27,7 @@ Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& s
   const Polish polish;
   const auto reach = static_cast<float>(std::max(polish.first_scale, polish.reach) * leaf);
   const auto near = [&](const Surface& surface) {
-    return make_candidate_grid(surface.points, reach, static_cast<float>(1.5 * leaf), kernels);
+    return make_neighbors(surface.points, reach, static_cast<float>(1.5 * leaf), kQueries, kernels);
   };
   const auto near_source = near(source), near_target = near(target);
   const LocalPolish polished(source, target, near_source.get(), near_target.get(), polish, kernels);

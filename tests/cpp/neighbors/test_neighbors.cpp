@@ -113,6 +113,64 @@ INSTANTIATE_TEST_SUITE_P(
                     Shape{"single", [](unsigned s) { return uniform_cloud(1, s); }}),
     [](const auto& shape) { return shape.param.name; });
 
+TEST(Structures, FarFromTheOriginAndAlongThousandsOfCells) {
+  Cloud cloud = uniform_cloud(1500, 11, 1, 1), q = uniform_cloud(1500, 12, 1, 1);
+  for (Cloud* c : {&cloud, &q})
+    for (std::size_t i = 0; i < c->size(); ++i) {
+      c->x[i] = 30 * c->x[i] + 100;  // rounding is a hundredth of the radius and more
+      c->y[i] = 0.001f * c->y[i] - 50;
+      c->z[i] = 0.001f * c->z[i];
+    }
+  for (const float radius : {0.001f, 0.02f}) {
+    std::vector<float> found(q.size()), brute(q.size());
+    std::vector<std::int32_t> index(q.size()), brute_index(q.size());
+    emtr::make_brute_force(cloud, radius)->nearest(q.view(), brute_index.data(), brute.data());
+    for (const auto& structure :
+         {emtr::make_candidate_grid(cloud, radius, 0.5f * radius, emtr::select_kernels()),
+          emtr::make_voxel_cells(cloud, radius, emtr::select_kernels())}) {
+      structure->nearest(q.view(), index.data(), found.data());
+      EXPECT_EQ(found, brute);
+      EXPECT_EQ(index, brute_index);
+    }
+  }
+}
+
+TEST(Structures, ManyCandidatesMakeTheCellsGrow) {
+  // All but one place, seen from afar: each of the 250 000 cells would list each point.
+  const Cloud cloud = uniform_cloud(300, 13, 0.0002f);
+  const Cloud q = uniform_cloud(500, 14, 0.3f);
+  std::vector<float> grid(q.size()), voxels(q.size()), brute(q.size());
+  const emtr::Kernels& kernels = emtr::select_kernels();
+  emtr::make_candidate_grid(cloud, 0.3f, 0.01f, kernels)->squared_distances(q.view(), grid.data());
+  emtr::make_voxel_cells(cloud, 0.3f, kernels)->squared_distances(q.view(), voxels.data());
+  emtr::make_brute_force(cloud, 0.3f)->squared_distances(q.view(), brute.data());
+  EXPECT_EQ(grid, brute);
+  EXPECT_EQ(voxels, brute);
+}
+
+TEST(MakeNeighbors, BuildsWhatTheLookUpsPayFor) {
+  const auto grid_is_cheaper = [](const Cloud& cloud, float radius, float leaf, double queries) {
+    const emtr::NeighborCosts costs = emtr::estimate_costs(cloud, radius, leaf, queries);
+    return costs.candidate_grid < costs.voxel_cells;
+  };
+  const Cloud small = uniform_cloud(2000, 1, 1, 0), large = uniform_cloud(100000, 1, 1, 0);
+  EXPECT_TRUE(grid_is_cheaper(small, 0.05f, 0.04f, 4e6));
+  EXPECT_FALSE(grid_is_cheaper(small, 0.05f, 0.04f, 2e3));
+  EXPECT_FALSE(grid_is_cheaper(large, 0.01f, 0.008f, 1e6));
+  EXPECT_TRUE(grid_is_cheaper(small, 0.5f, 0.1f, 4e6));  // a voxel would have half of the points
+}
+
+TEST(MakeNeighbors, GivesTheBitsOfBruteForceEitherWay) {
+  const Cloud cloud = uniform_cloud(800, 5), q = uniform_cloud(900, 6, 1.2f);
+  std::vector<float> found(q.size()), brute(q.size());
+  emtr::make_brute_force(cloud, 0.2f)->squared_distances(q.view(), brute.data());
+  for (const double queries : {1e2, 1e9}) {
+    emtr::make_neighbors(cloud, 0.2f, 0.15f, queries, emtr::select_kernels())
+        ->squared_distances(q.view(), found.data());
+    EXPECT_EQ(found, brute);
+  }
+}
+
 TEST(CandidateGrid, IsCappedWhenCellsWouldBeTooMany) {
   const Cloud cloud = uniform_cloud(50, 7);
   const Cloud q = uniform_cloud(200, 8);

@@ -28,7 +28,7 @@ struct Scans {
 
   explicit Scans(std::uint64_t seed, std::size_t points) {
     const emtr_test::Pair made(seed, points);
-    pair = emtr::normalise(made.source(), made.target());
+    pair = emtr::normalise(made.source(), made.target(), 1);
     truth = pair.frame.to_normalised(emtr::from_matrix(made.pose()));
   }
   Surface source(double leaf) const { return emtr::thin_surface(pair.source, leaf); }

@@ -31,8 +31,9 @@ TEST_P(ConsistencyOf, AllPairsIsWhatLengthsSay) {
       std::size_t degree = 0;
       for (std::size_t j = 0; j < n; ++j) {
         const double apart = std::abs(length(p, i, j) - length(q, i, j));
-        if (std::abs(apart - threshold) > 1e-5)
+        if (std::abs(apart - threshold) > 1e-5) {
           ASSERT_EQ(c(i, j), i != j && apart < threshold) << i << " " << j;
+        }
         degree += c(i, j);
         std::size_t common = 0;
         for (std::size_t k = 0; k < n; ++k) common += c(i, k) && c(j, k);
