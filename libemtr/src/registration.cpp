@@ -157,7 +157,8 @@ void Registration::rank(const Evolution& evolution) {
 
 void Registration::settle() {
   answer_ = search_->ranked().front().pose;
-  standing_ = stand(search_->ranked());
+  standing_ = stand(search_->ranked(), problem_.densities.source_dense.size(),
+                    problem_.densities.target_dense.size());
 }
 
 bool Registration::unsure() const {
