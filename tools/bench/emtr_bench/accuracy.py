@@ -125,7 +125,7 @@ def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) 
     missed = report.marks(rows) + unrelated.marks(others)
     if arguments.require:
         print("marks: " + ("; ".join(missed) if missed else "met"))
-    crashed = any(run.error for run in [*runs, *others])
+    crashed = any(run.error for run in runs) or any(run.error for run in others)
     return int(crashed or bool(arguments.require and missed))
 
 

@@ -39,7 +39,7 @@ def parser() -> argparse.ArgumentParser:
     add("--jobs", type=positive, default=1, help="processes side by side (default: 1)")
     add("--threads", type=natural, default=0, help="threads a process (default: 0, all)")
     add("--viewpoints", action="store_true",
-        help="tell the library where the sensors stood, of the pairs where it is known")  # fmt: skip
+        help="tell the library where the sensors stood, where it is known")  # fmt: skip
     add("--unrelated", type=natural, default=0, metavar="N",
         help="then N pairings of scans that do not belong together")  # fmt: skip
     add("--data", metavar="DIR", help="folder with MANIFEST.csv (default: EMTR_DATA)")

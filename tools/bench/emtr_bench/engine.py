@@ -35,7 +35,7 @@ class PyemtrEngine:
     def register(
         self, source: Array, target: Array, options: Options, sensors: Sensors | None
     ) -> Outcome:
-        places = {}
+        places: dict[str, Any] = {}
         if sensors is not None:
             places = {"source_viewpoint": sensors.source, "target_viewpoint": sensors.target}
         result = pyemtr.register(source, target, **_keywords(options), **places)

@@ -124,7 +124,8 @@ def _figures_line(
     name: str, short: str, f: Figures, rotation: Spread, translation: Spread, lookups: float
 ) -> str:
     cells = [name, short, _number(f.success, 1), _number(f.joint, 1)]
-    cells += [_number(f.joint_or_among, 1), _number(f.median_rotation, 3), _spread(f.rotation), _spread(rotation)]
+    cells += [_number(f.joint_or_among, 1), _number(f.median_rotation, 3)]
+    cells += [_spread(f.rotation), _spread(rotation)]
     cells += [_spread(f.translation), _spread(translation)]
     other = f.switch + f.complement
     cells += [_number(v, 2) for v in (f.evaluation, other, lookups, f.seconds)]

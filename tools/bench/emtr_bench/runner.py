@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import functools
 import math
-import multiprocessing
 import time
 import traceback
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field, replace
-from typing import Any, TypeVar, Union
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,12 +20,12 @@ from pyemtr.metrics import (
 )
 
 from . import protocol
+from .jobs import side_by_side
 from .pairs import Clouds, Pair, load
 from .sensors import sensors_known
 
 Array = NDArray[np.float64]
 Setting = Union[int, float, str]
-Task, Done = TypeVar("Task"), TypeVar("Done")
 
 
 @dataclass(frozen=True)
@@ -180,20 +178,8 @@ def run_all(
 ) -> Iterator[Run]:
     """Every pair x motion, in that order, as they are done."""
     tasks = [(pair, index) for pair in pairs for index in range(transforms)]
-    yield from side_by_side(
-        functools.partial(_run_task, register=register, options=options), tasks, jobs
-    )
-
-
-def side_by_side(work: Callable[[Task], Done], tasks: list[Task], jobs: int) -> Iterator[Done]:
-    """The tasks' results in order. With several jobs each has a process of its own, started
-    afresh: no thread pool is inherited half alive."""
-    if jobs == 1:
-        yield from map(work, tasks)
-        return
-    context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(jobs, mp_context=context) as pool:
-        yield from pool.map(work, tasks)
+    work = functools.partial(_run_task, register=register, options=options)
+    yield from side_by_side(work, tasks, jobs)
 
 
 def _run_task(task: tuple[Pair, int], register: Register, options: Options) -> Run:

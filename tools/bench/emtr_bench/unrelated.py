@@ -7,8 +7,9 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from .jobs import side_by_side
 from .pairings import Pairing, clouds
-from .runner import Options, Outcome, Register, attempt, side_by_side
+from .runner import Options, Outcome, Register, attempt
 
 
 @dataclass(frozen=True)
