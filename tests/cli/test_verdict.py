@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pty
 import signal
@@ -37,6 +38,22 @@ def test_unrelated_clouds_are_not_registered(run, tmp_path):
     assert "> Verdict not registered" in done.stderr
     assert np.loadtxt(tmp_path / "T.txt").shape == (4, 4)
     assert (tmp_path / "m.pcd").is_file()
+
+
+def test_a_ball_can_spin(run, tmp_path):
+    """Every rotation fits, which is another doubt than too little in common."""
+    rng = np.random.default_rng(2)
+    for name, shift in (("a.pcd", [0, 0, 0]), ("b.pcd", [4, 5, 6])):
+        points = rng.normal(size=(3000, 3))
+        points /= np.linalg.norm(points, axis=1)[:, None]
+        cloud_files.write_pcd(tmp_path / name, points + shift)
+    done = run("a.pcd", "b.pcd", "--threads", "2", "--report", "r.json")
+    assert done.returncode == 3, done.stderr
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert report["reason"] in ("degenerate", "ambiguous")
+    assert f"warning: not registered: {report['reason_text']}" in done.stderr
+    assert report["refinement"]["free_directions"] == 3
+    assert report["alternatives"]
 
 
 def test_threads_do_not_change_a_byte(run, clouds, tmp_path):
