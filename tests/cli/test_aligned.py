@@ -28,7 +28,8 @@ def fields(**others) -> dict[str, np.ndarray]:
 @pytest.fixture
 def aligned(run, tmp_path):
     """Registers a cloud to a fixed target; the moved cloud's path and T."""
-    cloud_files.write_pcd(tmp_path / "b.pcd", surface(COUNT, 4) + [1, 2, 3])
+    turned = surface(COUNT, 4) @ rotation([1, 2, -1], 2.0).T
+    cloud_files.write_pcd(tmp_path / "b.pcd", turned + [1, 2, 3])
 
     def call(source, extension: str):
         done = run(source, "b.pcd", *QUICK, "-o", "T.txt", "--aligned", f"moved{extension}")
@@ -180,6 +181,21 @@ def test_sensor_pose_moves_along(aligned, tmp_path):
     _, header = read_pcd(path)
     assert np.allclose(np.array(header["VIEWPOINT"][:3], float), moved(second, expected),
                        rtol=4e-7, atol=0.1)
+
+
+@pytest.mark.parametrize("viewpoint", [None, "0 0 0"])
+def test_sensor_whose_pose_is_unknown(run, tmp_path, viewpoint):
+    """Moved, PCL's default would look like a pose; at the origin it is one only when given."""
+    cloud_files.write_pcd(tmp_path / "a.pcd", POINTS)
+    cloud_files.write_pcd(tmp_path / "b.pcd", surface(COUNT, 4) + [1, 2, 3])
+    given = ["--viewpoint-source", *viewpoint.split()] if viewpoint else []
+    done = run("a.pcd", "b.pcd", *QUICK, "-o", "T.txt", "--aligned", "m.pcd", *given)
+    assert done.returncode in (0, 3), done.stderr
+    found = np.array(read_pcd(tmp_path / "m.pcd")[1]["VIEWPOINT"], float)
+    if viewpoint:
+        assert np.allclose(found[:3], np.loadtxt(tmp_path / "T.txt")[:3, 3], rtol=1e-6)
+    else:
+        assert found.tolist() == [0, 0, 0, 1, 0, 0, 0]
 
 
 def test_padding_of_pcd(aligned, tmp_path):

@@ -157,7 +157,7 @@ def test_missing_guess(refused, small):
 def test_guess_is_tried(run, clouds, tmp_path, pair):
     """With one iteration of two particles only the guess can be right."""
     np.savetxt(tmp_path / "g.txt", pair.T, header="source into target")
-    few = ["--iterations", "1", "--population", "2", "--switch-fraction", "1"]
+    few = ["--preset", "paper", "--iterations", "1", "--population", "2", "--switch-fraction", "1"]
     without = np.array(run(*clouds, *few).stdout.split(), float).reshape(4, 4)
     done = run(*clouds, *few, "--guess", "g.txt", "--report", "r.json")
     found = np.array(done.stdout.split(), float).reshape(4, 4)

@@ -19,7 +19,7 @@ def report(run, clouds, tmp_path) -> dict:
 def test_says_what_was_run(report, run):
     assert report["files"] == {"source": "a.pcd", "target": "b.pcd", "transformation": "T.txt",
                                "aligned": None, "report": "r.json", "guess": None}
-    assert (report["preset"], report["seed"], report["threads"]) == ("paper", 3, 2)
+    assert (report["preset"], report["seed"], report["threads"]) == ("default", 3, 2)
     versions = report["versions"]
     assert run("--version").stdout == (
         f"pcl_emtr {versions['emtr']} (PCL {versions['pcl']}, Eigen {versions['eigen']})\n")
@@ -29,8 +29,8 @@ def test_says_what_came_out(report, tmp_path, pair):
     assert report["registered"] is True and report["reason"] == "registered"
     assert report["transformation"] == np.loadtxt(tmp_path / "T.txt").tolist()
     quality = report["quality"]
-    assert set(quality) == {"fitness", "inlier_ratio_source", "inlier_ratio_target",
-                            "inlier_rmse", "mode_gap"}
+    assert set(quality) == {"fitness", "inlier_ratio_source", "inlier_ratio_target", "inlier_rmse",
+                            "mode_gap", "score", "fit", "violation", "score_gap"}
     assert all(0 <= quality[name] <= 1 for name in quality if "ratio" in name)
     counts = report["counts"]
     assert counts["read_source"] == counts["points_source"] == len(pair.source)
@@ -38,16 +38,50 @@ def test_says_what_came_out(report, tmp_path, pair):
     assert counts["dropped_source"] == counts["dropped_target"] == 0
     assert 0 < counts["sparse_source"] < counts["dense_source"] <= len(pair.source)
     assert counts["tims_pruned"] <= counts["tims"]
-    assert counts["iterations"] == len(report["history"]["alpha"]) == 100
+    assert counts["iterations"] == len(report["history"]["alpha"]) == 25
+    assert counts["seeds"] > 0 and counts["candidates"] > 0
+
+
+def test_says_how_far_to_trust_it(report, pair):
+    assert 0.9 < report["confidence"] <= 1
+    assert report["escalated"] in (True, False) and report["refined"] is True
+    scores = [other["score"] for other in report["alternatives"]]
+    assert scores == sorted(scores, reverse=True)
+    assert all(score <= report["quality"]["score"] for score in scores)
+    for other in report["alternatives"]:
+        angle, distance = pair.error(np.array(other["transformation"]))
+        assert angle > 5 or distance > 0.1
+    refinement = report["refinement"]
+    information = np.array(refinement["information"])
+    assert information.shape == (6, 6) and np.allclose(information, information.T)
+    assert np.linalg.eigvalsh(information).min() > 0
+    directions = np.array(refinement["hold_directions"])
+    assert np.allclose(np.linalg.norm(directions, axis=1), 1)
+    assert refinement["hold"] == sorted(refinement["hold"]) and refinement["free_directions"] == 0
+
+
+def test_paper_has_no_candidates(run, clouds, tmp_path):
+    run(*clouds, "--preset", "paper", "--report", "r.json")
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert report["registered"] is True and report["preset"] == "paper"
+    assert report["confidence"] is None and report["refinement"] is None
+    assert report["alternatives"] == [] and report["refined"] is report["escalated"] is False
+    assert [report["quality"][name] for name in ("score", "fit", "violation", "score_gap")] == (
+        [None] * 4)
+    assert report["counts"]["iterations"] == 100 and report["counts"]["candidates"] == 0
+
+
+STAGES = ("frame", "densities", "features", "matching", "seeds", "evolution", "candidates",
+          "escalation", "refinement", "verdict")
 
 
 def test_times_and_costs_add_up(report):
     lookups = report["lookups"]
     assert lookups["total"] == lookups["evaluation"] + lookups["switch"] + lookups["complement"] > 0
     seconds = report["seconds"]
-    stages = [seconds[name] for name in
-              ("frame", "densities", "features", "matching", "evolution", "verdict")]
-    assert min(stages) >= 0 and sum(stages) <= seconds["total"] * 1.01
+    stages = [seconds[name] for name in STAGES]
+    assert min(stages) >= 0 and sum(stages) == pytest.approx(seconds["total"])
+    assert (seconds["escalation"] > 0) == report["escalated"]
     assert seconds["load_source"] > 0 and seconds["load_target"] > 0
     assert report["frame"]["scale"] > 0 and len(report["frame"]["center_source"]) == 3
 

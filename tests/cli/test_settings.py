@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
 
 import pytest
 from conftest import ROOT
@@ -12,54 +13,58 @@ from conftest import ROOT
 HEADER = (ROOT / "libemtr" / "include" / "emtr" / "emtr.h").read_text()
 STRUCT = re.search(r"typedef struct emtr_settings \{(.*?)\} emtr_settings;", HEADER,
                    re.DOTALL).group(1)
-NAMES = [name for name in
-         re.findall(r"^  (?:size_t|uint64_t|int32_t|double) (\w+)[;\[]", STRUCT, re.MULTILINE)
-         if name not in ("size", "has_guess", "guess")]
+NAMES = re.findall(r"^  (?:uint64_t|int32_t|double) (?!has_)(\w+);", STRUCT, re.MULTILINE)
+PARTNERS = {"dense_points": ["--sparse-points", "50"], "feature_radius": ["--normal-radius", "1"],
+            "complement_scale_start": ["--complement-scale-end", "0.001"]}
 
-OTHER = {"seed": "5", "threads": "2", "transfer": "off", "complement": "0",
-         "sparse_to_dense": "off", "neighbors": "brute"}
+
+@pytest.fixture(scope="module")
+def entries(command) -> dict[str, tuple[str, str]]:
+    """Of each setting in --help: what its value is, and its text on one line."""
+    text = subprocess.run([command, "--help"], capture_output=True, text=True, check=True).stdout
+    return {name.replace("-", "_"): (kind, " ".join(words.split())) for name, kind, words in
+            re.findall(r"^  --(\S+) (\S+) (.*?)(?=^  -|^$)", text, re.MULTILINE | re.DOTALL)}
 
 
 def test_the_header_was_understood():
-    assert len(NAMES) > 30 and "seed" in NAMES and "minimum_mode_gap" in NAMES
+    assert len(NAMES) > 40 and {"seed", "refine", "minimum_mode_gap"} <= set(NAMES)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_help_gives_kind_and_default(run, name):
-    option = "--" + name.replace("_", "-")
-    entry = re.search(rf"^  {option} (\S+) (.*?)(?=^  -|^$)", run("--help").stdout,
-                      re.MULTILINE | re.DOTALL)
-    assert entry, f"{option} is not in --help"
-    text = " ".join(entry.group(2).split())
-    assert entry.group(1) in ("N", "X", "NAME", "on|off")
+def test_help_gives_kind_and_default(entries, name):
+    kind, text = entries[name]
+    assert kind in ("N", "X", "NAME", "on|off")
     assert re.search(r"default \S+\]$", text)
-    if entry.group(1) in ("N", "X"):
+    if kind in ("N", "X"):
         assert re.search(r"[\d.]+ to [\d.]+; default", text)
 
 
-def bounds(run, name: str) -> str:
-    option = "--" + name.replace("_", "-")
-    text = " ".join(run("--help").stdout.split())
-    return re.search(rf"{option} [NX] .*?([\d.]+) to ", text).group(1)
+def other(name: str, kind: str, text: str) -> tuple[str, object]:
+    """A value that is not the default, and how the report writes it: the least number, the last
+    choice, the other position of a switch."""
+    if name in ("seed", "threads"):
+        return "2", 2
+    if kind == "on|off":
+        on = "default off" in text
+        return ("on" if on else "off"), on
+    if kind == "NAME":
+        names = re.search(r"\[(.*?);", text).group(1).replace(" or ", ", ").split(", ")
+        choice = [word for word in names if f"default {word}]" not in text][-1]
+        return choice, choice
+    least = re.search(r"([\d.]+) to [\d.]+; default", text).group(1)
+    return least, float(least)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_report_repeats_what_was_set(run, small, tmp_path, name):
-    """The least value of each is allowed, if need be together with its partner's."""
-    value = OTHER.get(name) or bounds(run, name)
-    partner = {"dense_points": ["--sparse-points", "50"],
-               "feature_radius": ["--normal-radius", value],
-               "complement_scale_start": ["--complement-scale-end", value]}.get(name, [])
+def test_report_repeats_what_was_set(run, small, tmp_path, entries, name):
+    """If need be together with its partner's."""
+    value, expected = other(name, *entries[name])
     quick = [] if name in ("iterations", "population") else ["--iterations", "1"]
-    done = run(*small, "--" + name.replace("_", "-"), value, *partner, *quick, "--quiet",
-               "--report", "r.json")
+    done = run(*small, "--" + name.replace("_", "-"), value, *PARTNERS.get(name, []), *quick,
+               "--quiet", "--report", "r.json")
     assert done.returncode in (0, 3), done.stderr
     settings = json.loads((tmp_path / "r.json").read_text())["settings"]
     assert list(settings) and set(settings) == set(NAMES)
-    expected = {"off": False, "0": False}.get(value, value) if name in (
-        "transfer", "complement", "sparse_to_dense") else value
-    if isinstance(expected, str) and expected != "brute":
-        expected = float(expected)
     assert settings[name] == expected
 
 
@@ -87,5 +92,6 @@ def test_seed_keeps_all_its_bits(run, small, tmp_path, seed):
 
 def test_neighbouring_large_seeds_differ(run, clouds):
     """As doubles they would be one number."""
-    found = {run(*clouds, "--iterations", "5", "--seed", 2**60 + i).stdout for i in range(3)}
+    few = ["--preset", "paper", "--iterations", "5"]
+    found = {run(*clouds, *few, "--seed", 2**60 + i).stdout for i in range(3)}
     assert len(found) == 3

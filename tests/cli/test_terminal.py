@@ -32,7 +32,8 @@ def talk_on_terminal(command, folder, *arguments) -> tuple[str, str]:
 def test_progress_on_a_terminal(command, clouds, tmp_path):
     talk, output = talk_on_terminal(command, tmp_path)
     shown = [part for part in talk.split("\r\033[K") if part]
-    for stage in ("frame", "densities", "features", "matching", "evolution", "verdict"):
+    for stage in ("frame", "densities", "features", "matching", "seeds", "evolution", "candidates",
+                  "refinement", "verdict"):
         assert any(part.startswith(stage) for part in shown), stage
     assert "/800  best alpha " in talk and "best beta " in talk
     assert "\033[K" not in output and len(output.splitlines()) == 4

@@ -25,12 +25,19 @@ static emtr_result* run(const bumpy_pair* pair, const emtr_settings* settings,
   return result;
 }
 
+static emtr_settings preset(const char* name) {
+  emtr_settings settings;
+  CHECK_OK(emtr_settings_init(&settings, sizeof settings, name));
+  return settings;
+}
+
 static void same_pose(const emtr_result* a, const emtr_result* b) {
   CHECK(memcmp(a->transformation, b->transformation, sizeof a->transformation) == 0);
   CHECK(a->fitness == b->fitness && a->mode_gap == b->mode_gap);
 }
 
-static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r) {
+static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r,
+                                const emtr_settings* settings) {
   const double* t = r->transformation;
   size_t i;
   int row, other, k;
@@ -57,9 +64,74 @@ static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r) {
   CHECK(r->scale > 0.5 * pair->unit && r->scale < 2 * pair->unit);
   CHECK(r->leaf_sparse > r->leaf_dense && r->leaf_dense > 0);
   CHECK(r->seconds_total > 0 && r->seconds_evolution <= r->seconds_total);
-  CHECK(r->iterations == 100 && r->seed == 0 && r->threads >= 1);
+  CHECK(r->iterations == (size_t)settings->iterations && r->seed == 0 && r->threads >= 1);
   for (i = 1; i < r->iterations; ++i) CHECK(r->history_beta[i] <= r->history_beta[i - 1]);
-  for (i = 1; i < 60; ++i) CHECK(r->history_alpha[i] <= r->history_alpha[i - 1]);
+  /* the first iterations of both presets are sparse, and counted as the published method does */
+  for (i = 1; i < ceil(settings->switch_fraction * settings->iterations); ++i)
+    CHECK(r->history_alpha[i] <= r->history_alpha[i - 1]);
+}
+
+static void by_the_default_preset(const bumpy_pair* pair, const emtr_result* r) {
+  const emtr_settings settings = preset("default");
+  size_t i;
+  int k, j;
+  the_result_is_whole(pair, r, &settings);
+  CHECK(r->confidence > 0.9 && r->confidence <= 1);
+  CHECK(r->fit > 0 && r->fit <= 1 && r->score <= r->fit && r->violation >= 0);
+  CHECK(r->seeds > 0 && r->candidates > 0 && r->seconds_candidates > 0);
+  for (i = 0; i < r->alternative_count; ++i) {
+    CHECK(r->alternatives[i].score <= r->score);
+    CHECK(i == 0 || r->alternatives[i].score <= r->alternatives[i - 1].score);
+    CHECK(!(bumpy_pair_error(pair, r->alternatives[i].transformation) < 0.05));
+  }
+  CHECK(r->refined == 1 && r->free_directions == 0 && r->seconds_refinement > 0);
+  for (k = 0; k < 6; ++k) {
+    CHECK(r->information[7 * k] > 0);
+    for (j = 0; j < k; ++j) {
+      const double a = r->information[6 * k + j], b = r->information[6 * j + k];
+      CHECK(fabs(a - b) <= 1e-9 * fabs(a));
+    }
+    CHECK(k == 0 || r->hold[k] >= r->hold[k - 1]);
+  }
+  CHECK(r->hold[0] > 0 && r->hold[5] < 2);
+  /* nearer than the search alone comes */
+  CHECK(bumpy_pair_error(pair, r->transformation) < 0.01);
+}
+
+static void by_the_paper(const bumpy_pair* pair) {
+  const emtr_settings settings = preset("paper");
+  emtr_result* r = run(pair, &settings, NULL, NULL);
+  int k;
+  the_result_is_whole(pair, r, &settings);
+  CHECK(isnan(r->confidence) && isnan(r->score) && isnan(r->fit) && isnan(r->violation));
+  CHECK(isnan(r->score_gap) && r->seeds == 0 && r->candidates == 0 && r->alternative_count == 0);
+  CHECK(!r->escalated && !r->refined && r->free_directions == -1);
+  CHECK(r->seconds_seeds == 0 && r->seconds_candidates == 0 && r->seconds_refinement == 0);
+  for (k = 0; k < 36; ++k) CHECK(isnan(r->information[k]) && isnan(r->hold_directions[k]));
+  emtr_result_free(r);
+}
+
+/* Far out on the side that each scan is of: the target's frame is the ball's own. */
+static void viewpoints(const bumpy_pair* pair) {
+  emtr_settings settings = preset("thorough"); /* they are asked for in the escalation */
+  const double toward[3] = {0.35, 0.0, 0.94};
+  double source[3];
+  emtr_result *unknown, *known;
+  int i, k;
+  unknown = run(pair, &settings, NULL, NULL);
+  settings.has_viewpoint_source = settings.has_viewpoint_target = 1;
+  for (i = 0; i < 3; ++i) {
+    source[i] = 20 * pair->unit * toward[i] - pair->pose[4 * i + 3];
+    settings.viewpoint_target[i] = 20 * pair->unit * (i == 0 ? -toward[i] : toward[i]);
+  }
+  for (k = 0; k < 3; ++k)
+    for (i = 0; i < 3; ++i) settings.viewpoint_source[k] += pair->pose[4 * i + k] * source[i];
+  known = run(pair, &settings, NULL, NULL);
+  CHECK(unknown->escalated && known->escalated);
+  CHECK(known->registered && bumpy_pair_error(pair, known->transformation) < 0.01);
+  CHECK(known->score != unknown->score); /* they act */
+  emtr_result_free(unknown);
+  emtr_result_free(known);
 }
 
 static void layout_of_the_input_does_not_matter(const bumpy_pair* pair, const emtr_result* whole) {
@@ -101,8 +173,8 @@ static void points_that_are_not_finite_are_dropped(bumpy_pair pair) {
 }
 
 typedef struct watch {
-  int calls, iterations, stop_at;
-  char stages[128];
+  int calls, iterations, stop_at, in_all;
+  char stages[256];
 } watch;
 
 static int on_progress(const emtr_progress* progress, void* user) {
@@ -113,18 +185,38 @@ static int on_progress(const emtr_progress* progress, void* user) {
     strcat(w->stages, " ");
   } else {
     CHECK(strcmp(progress->stage, "evolution") == 0);
-    CHECK(progress->iteration == ++w->iterations && progress->iterations == 100);
+    CHECK(progress->iteration == ++w->iterations && progress->iterations == w->in_all);
     CHECK(progress->best_alpha >= 0 && progress->best_beta >= 0);
   }
   return w->stop_at >= 0 && (progress->iteration == w->stop_at);
 }
 
 static void progress_and_stop(const bumpy_pair* pair, const emtr_result* whole) {
-  watch all = {0, 0, -1, ""}, third = {0, 0, 3, ""}, at_once = {0, 0, 0, ""};
-  emtr_result* result = run(pair, NULL, on_progress, &all);
+  emtr_settings settings = preset(NULL);
+  const int in_all = settings.iterations;
+  watch all = {0, 0, -1, 0, ""}, third = {0, 0, 3, 0, ""}, at_once = {0, 0, 0, 0, ""};
+  watch thorough = {0, 0, -1, 0, ""}, paper = {0, 0, -1, 0, ""};
+  emtr_result* result;
+  all.in_all = third.in_all = at_once.in_all = thorough.in_all = in_all;
+  result = run(pair, NULL, on_progress, &all);
   same_pose(whole, result);
-  CHECK(all.iterations == 100);
-  CHECK(strcmp(all.stages, "frame densities features matching evolution verdict ") == 0);
+  CHECK(all.iterations == in_all);
+  CHECK(
+      strcmp(all.stages,
+             "frame densities features matching seeds evolution candidates refinement verdict ") ==
+      0);
+  emtr_result_free(result);
+
+  settings = preset("thorough");
+  result = run(pair, &settings, on_progress, &thorough);
+  CHECK(result->escalated && strstr(thorough.stages, "candidates escalation refinement "));
+  emtr_result_free(result);
+
+  settings = preset("paper");
+  paper.in_all = settings.iterations;
+  result = run(pair, &settings, on_progress, &paper);
+  CHECK(paper.iterations == 100);
+  CHECK(strcmp(paper.stages, "frame densities features matching evolution verdict ") == 0);
   emtr_result_free(result);
 
   result = run(pair, NULL, on_progress, &third);
@@ -139,20 +231,23 @@ static void progress_and_stop(const bumpy_pair* pair, const emtr_result* whole) 
 }
 
 static void seed_threads_guess(const bumpy_pair* pair, const emtr_result* whole) {
-  emtr_settings settings;
-  emtr_result* result;
-  CHECK_OK(emtr_settings_init(&settings, sizeof settings, NULL));
+  emtr_settings settings = preset(NULL);
+  emtr_result *result, *other;
   settings.threads = 2;
   result = run(pair, &settings, NULL, NULL);
   same_pose(whole, result);
   CHECK(result->threads == 2);
   emtr_result_free(result);
 
+  /* by the swarm alone, which a refinement would bring to the same place from any seed */
+  settings = preset("paper");
+  other = run(pair, &settings, NULL, NULL);
   settings.seed = UINT64_MAX;
   result = run(pair, &settings, NULL, NULL);
   CHECK(result->seed == UINT64_MAX && bumpy_pair_error(pair, result->transformation) < 0.05);
-  CHECK(memcmp(whole->transformation, result->transformation, sizeof pair->pose) != 0);
+  CHECK(memcmp(other->transformation, result->transformation, sizeof pair->pose) != 0);
   emtr_result_free(result);
+  emtr_result_free(other);
 
   /* two iterations without transfer find nothing by themselves */
   settings.iterations = 2;
@@ -173,14 +268,16 @@ int main(void) {
   if (bumpy_pair_make(&pair, 1, 4000, 1.0) || bumpy_pair_make(&millimetres, 1, 4000, 1000.0))
     return 1;
   whole = run(&pair, NULL, NULL, NULL);
-  the_result_is_whole(&pair, whole);
+  by_the_default_preset(&pair, whole);
+  by_the_paper(&pair);
+  viewpoints(&pair);
   layout_of_the_input_does_not_matter(&pair, whole);
   points_that_are_not_finite_are_dropped(pair);
   progress_and_stop(&pair, whole);
   seed_threads_guess(&pair, whole);
   emtr_result_free(whole);
   result = run(&millimetres, NULL, NULL, NULL);
-  the_result_is_whole(&millimetres, result);
+  by_the_default_preset(&millimetres, result);
   emtr_result_free(result);
   emtr_result_free(NULL);
   bumpy_pair_free(&pair);

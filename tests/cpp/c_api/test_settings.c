@@ -13,7 +13,7 @@ static void texts(void) {
   CHECK(strcmp(emtr_version(), version) == 0);
   for (i = EMTR_OK; i <= EMTR_ERROR_INTERNAL; ++i)
     CHECK(emtr_status_text((emtr_status)i) && *emtr_status_text((emtr_status)i));
-  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_INTERRUPTED; ++i)
+  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_DEGENERATE; ++i)
     CHECK(emtr_reason_text((emtr_reason)i) && *emtr_reason_text((emtr_reason)i));
   CHECK(emtr_status_text((emtr_status)99) != NULL);
   CHECK(emtr_reason_text((emtr_reason)99) != NULL);
@@ -23,15 +23,20 @@ static void texts(void) {
 static void presets(void) {
   emtr_settings by_name, by_null;
   size_t i;
-  CHECK(emtr_preset_name(0) && strcmp(emtr_preset_name(0), "paper") == 0);
+  CHECK(emtr_preset_name(0) && strcmp(emtr_preset_name(0), "default") == 0);
   for (i = 0; emtr_preset_name(i); ++i)
     CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, emtr_preset_name(i)));
   CHECK(emtr_preset_name(i + 1) == NULL);
 
+  /* the method as published has neither seeds before the swarm nor anything after it */
   CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, "paper"));
+  CHECK(by_name.population == 50 && by_name.iterations == 100 && by_name.features == 0);
+  CHECK(!by_name.seeds && !by_name.candidates && !by_name.escalation && !by_name.refine);
+
+  CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, "default"));
   CHECK_OK(emtr_settings_init(&by_null, sizeof by_null, NULL));
   CHECK(by_name.size == sizeof(emtr_settings) && !by_name.has_guess);
-  CHECK(by_name.population == 50 && by_name.iterations == 100);
+  CHECK(!by_name.has_viewpoint_source && !by_name.has_viewpoint_target);
   for (i = 0; i < emtr_setting_count(); ++i) {
     emtr_setting_info info;
     double a = 0, b = 1;

@@ -50,6 +50,8 @@ TEST_F(Settings, TheSameBitsEveryTimeAndForEveryNumberOfThreads) {
 }
 
 TEST_F(Settings, AnotherSeedTakesAnotherWay) {
+  // By the swarm alone, which a refinement would bring to the same place from any seed.
+  ASSERT_TRUE(reg.setPreset("paper"));
   EXPECT_EQ(reg.getSeed(), 0u);
   const Eigen::Matrix4f first = align();
   reg.setSeed(std::numeric_limits<std::uint64_t>::max());
@@ -60,7 +62,10 @@ TEST_F(Settings, AnotherSeedTakesAnotherWay) {
 }
 
 TEST_F(Settings, MaximumIterationsIsTheNumberOfGenerations) {
-  EXPECT_EQ(reg.getMaximumIterations(), 100);
+  EXPECT_EQ(reg.getMaximumIterations(), 25);
+  align();
+  EXPECT_EQ(reg.iterationsDone(), 25);
+  ASSERT_TRUE(reg.setPreset("paper"));
   align();
   EXPECT_EQ(reg.iterationsDone(), 100);
   reg.setMaximumIterations(7);
@@ -103,7 +108,8 @@ TEST_F(Settings, AWrongNameOrValueIsRefusedAndChangesNothing) {
 }
 
 TEST_F(Settings, AGuessIsOneHypothesis) {
-  // Too short a run to find anything by itself.
+  // Too short a run to find anything by itself, and no seeds.
+  ASSERT_TRUE(reg.setPreset("paper"));
   reg.setMaximumIterations(2);
   ASSERT_TRUE(reg.setSetting("transfer", 0));
   EXPECT_GT(sharedPair().error(align()), kRight);
@@ -114,6 +120,19 @@ TEST_F(Settings, AGuessIsOneHypothesis) {
   const Eigen::Vector4f moved = pose * Eigen::Vector4f(p.x, p.y, p.z, 1);
   EXPECT_LT((Eigen::Vector3f(output[0].x, output[0].y, output[0].z) - moved.head<3>()).norm(),
             4 * kRight);
+}
+
+TEST_F(Settings, ConfidenceIsOfTheLastAlign) {
+  EXPECT_TRUE(std::isnan(reg.getConfidence()));
+  align();
+  EXPECT_GT(reg.getConfidence(), 0.9);
+  EXPECT_EQ(reg.getConfidence(), reg.getResult()->confidence);
+  reg.setInputSource(source);
+  EXPECT_TRUE(std::isnan(reg.getConfidence()));
+  ASSERT_TRUE(reg.setPreset("paper"));  // has no candidates to compare with
+  align();
+  EXPECT_TRUE(reg.hasConverged());
+  EXPECT_TRUE(std::isnan(reg.getConfidence()));
 }
 
 TEST_F(Settings, AWrongGuessDoesNoHarm) {

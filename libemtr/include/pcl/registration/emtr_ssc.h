@@ -149,7 +149,7 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
 
   /** \brief Says where the sensor of the source stood, in the source's own frame and unit, for this
    * source and all to come; it goes before the cloud's sensor_origin_. A position that is not
-   * finite makes align() fail. */
+   * finite makes align() fail, wherever it comes from. */
   void setSourceViewpoint(const Eigen::Vector3f& viewpoint) {
     setViewpoint(viewpoint, settings_.has_viewpoint_source, settings_.viewpoint_source);
   }
@@ -208,6 +208,9 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   /** \brief The sensor_origin_ of a cloud, where none was set and it is not zero. */
   static void fillViewpoint(const Eigen::Vector4f& sensor_origin, std::int32_t& known,
                             double (&position)[3]);
+
+  /** \brief False for a viewpoint that is known and not finite. */
+  static bool isFinite(std::int32_t known, const double (&position)[3]);
 
   /** \brief Of one point type: by the base class. */
   void alignAs(PointCloudSource& output, const Matrix4& guess, std::true_type);
