@@ -9,13 +9,16 @@
 #include <cctype>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <new>
 
 #include "coordinates.h"
 #include "failure.h"
 #include "format_check.h"
+#include "pcd_header.h"
 #include "ply_camera.h"
 
 namespace cli {
@@ -42,6 +45,22 @@ void read(CloudFile& cloud, std::uint64_t points) {
     throw FileFailure(cloud.path, "cannot be read: its points are not as many as it declares");
   cloud.sensor_origin = origin.head<3>().cast<double>();
   cloud.sensor_orientation = orientation.cast<double>();
+}
+
+/// PCL holds it in floats, which are too short for map coordinates.
+void read_pcd_viewpoint(CloudFile& cloud) {
+  std::ifstream in(cloud.path, std::ios::binary);
+  const auto viewpoint = PcdHeader(in, cloud.path).viewpoint();
+  if (!viewpoint) return;
+  const auto& v = *viewpoint;
+  if (std::all_of(v.begin(), v.end(), [](double value) { return std::isfinite(value); })) {
+    cloud.sensor_origin = {v[0], v[1], v[2]};
+    cloud.sensor_orientation = Eigen::Quaterniond(v[3], v[4], v[5], v[6]);
+  } else {
+    cloud.sensor_origin.setZero();
+    cloud.sensor_orientation.setIdentity();
+    cloud.note = "its VIEWPOINT is left out, it is not finite";
+  }
 }
 
 /// PCL gives the i-th normal to the i-th vertex, whatever the faces say.
@@ -94,6 +113,7 @@ CloudFile load_cloud(const std::string& path) {
   const std::string extension = extension_of(path);
   if (extension == ".pcd") {
     read<pcl::PCDReader>(cloud, check_pcd(path));
+    read_pcd_viewpoint(cloud);
   } else if (extension == ".ply") {
     read<pcl::PLYReader>(cloud, check_ply(path));
     read_ply_camera(cloud);
@@ -106,6 +126,8 @@ CloudFile load_cloud(const std::string& path) {
     drop_unmatched_normals(cloud, counts);
   }
   require_coordinates(cloud);
+  cloud.sensor_known = !cloud.sensor_origin.isZero(0) ||
+                       cloud.sensor_orientation.coeffs() != Eigen::Vector4d::UnitW();
   cloud.milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return cloud;

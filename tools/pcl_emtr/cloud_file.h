@@ -14,7 +14,8 @@ struct CloudFile {
   pcl::PCLPointCloud2 blob;
   Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
   Eigen::Quaterniond sensor_orientation = Eigen::Quaterniond::Identity();
-  std::string note;  // what was left out of the file, or empty
+  bool sensor_known = false;  // the file has a pose other than the one that all files begin with
+  std::string note;           // what was left out of the file, or empty
   double milliseconds = 0;
 
   std::size_t size() const { return std::size_t{blob.width} * blob.height; }

@@ -9,6 +9,7 @@
 #include "setting_options.h"
 #include "setting_text.h"
 #include "versions.h"
+#include "viewpoints.h"
 
 namespace cli {
 namespace {
@@ -16,7 +17,10 @@ namespace {
 std::string preset_names() {
   std::string names;
   for (std::size_t i = 0; emtr_preset_name(i); ++i)
-    names += (i ? ", " : "") + std::string(emtr_preset_name(i));
+    names += (i == 0                    ? ""
+              : emtr_preset_name(i + 1) ? ", "
+                                        : " or ") +
+             std::string(emtr_preset_name(i));
   return names;
 }
 
@@ -64,10 +68,16 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                             "a text file of a 4x4 pose, source into target, to try among others; "
                             "the search does not stay near it");
   app.add_option("--preset", options.preset,
-                 "the settings to begin with: " + preset_names() + " [default paper]")
+                 wrapped("the settings to begin with: " + preset_names(), 66))
       ->type_name("NAME");
+  const Viewpoints viewpoints(app);
   app.add_flag("-q,--quiet", options.quiet,
                "say nothing on standard error but errors and warnings");
+  bool reference = false;
+  app.add_flag("--reference", reference,
+               wrapped("the slow path to compare with: --neighbors kdtree and --features pcl, so "
+                       "every look-up of the fitness is one of pcl::KdTreeFLANN",
+                       66));
   const SettingOptions settings(app);
 
   try {
@@ -84,6 +94,9 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
       EMTR_OK)
     throw UsageFailure("--preset: '" + options.preset + "' is not one of: " + preset_names());
   settings.apply(options.settings);
+  if (reference) settings.use_reference(options.settings);
+  viewpoints.apply(options.settings);
+  options.viewpoints_from_files = viewpoints.from_files();
 
   std::vector<NamedFile> input_files = {{"source", options.source}, {"target", options.target}};
   if (guess->count()) input_files.push_back({"--guess", options.guess});

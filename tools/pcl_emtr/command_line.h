@@ -15,7 +15,8 @@ struct Options {
   std::string aligned;  // the moved source
   std::string report;
   std::string guess;
-  std::string preset = "paper";
+  std::string preset = "default";
+  bool viewpoints_from_files = true;  // of the clouds for which none was given
   bool quiet = false;
   emtr_settings settings{};
 };

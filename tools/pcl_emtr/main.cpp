@@ -20,6 +20,7 @@
 #include "registration.h"
 #include "report.h"
 #include "talk.h"
+#include "viewpoints.h"
 
 namespace cli {
 namespace {
@@ -74,11 +75,16 @@ int run(int argc, char** argv) {
   CloudFile source = load_cloud(options.source);
   talk.loaded(source);
   if (!options.aligned.empty()) require_writable_as(options.aligned, source);
-  const CloudFile target = load_cloud(options.target);
+  CloudFile target = load_cloud(options.target);
   talk.loaded(target);
+  emtr_settings& settings = options.settings;
+  settle_viewpoint(source, options.viewpoints_from_files, settings.has_viewpoint_source,
+                   settings.viewpoint_source);
+  settle_viewpoint(target, options.viewpoints_from_files, settings.has_viewpoint_target,
+                   settings.viewpoint_target);
 
   const Result result = run_registration(source, target, options);
-  talk.registered(*result);
+  talk.registered(*result, settings);
   talk.verdict(*result);
   write_outputs(options, source, target, *result);
   if (!options.output.empty()) talk.saved(options.output, "4x4 matrix");

@@ -34,6 +34,7 @@ void move_cloud(CloudFile& cloud, const Eigen::Matrix4d& transformation) {
     for (std::size_t i = 0; i < cloud.size(); ++i, point += cloud.blob.point_step)
       field.set(point, rotation * field.get(point) + shift);
   }
+  if (!cloud.sensor_known) return;  // moved, it would look like a pose that somebody has measured
   cloud.sensor_origin = rotation * cloud.sensor_origin + translation;
   cloud.sensor_orientation = Eigen::Quaterniond(rotation) * cloud.sensor_orientation;
 }

@@ -46,15 +46,6 @@ Layout layout_of(const PcdHeader& header, const std::string& path) {
   return layout;
 }
 
-void check_viewpoint(const PcdHeader& header, const std::string& path) {
-  if (!header.has("VIEWPOINT")) return;
-  const PcdHeader::Words& words = header.words("VIEWPOINT");
-  const bool numbers = std::all_of(words.begin(), words.end(),
-                                   [](const std::string& w) { return parse_real(w).has_value(); });
-  if (words.size() != 7 || !numbers)
-    throw FileFailure(path, "its PCD header has a VIEWPOINT that is not 7 numbers");
-}
-
 void check_compressed(std::istream& in, const std::string& path, std::uint64_t bytes) {
   std::array<unsigned char, 8> sizes{};
   if (!in.read(reinterpret_cast<char*>(sizes.data()), sizes.size()))
@@ -84,7 +75,7 @@ std::uint64_t check_pcd(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   const PcdHeader header(in, path);
   const Layout layout = layout_of(header, path);
-  check_viewpoint(header, path);
+  header.viewpoint();  // is well formed, or there is none
   const std::uint64_t height = header.has("HEIGHT") ? header.whole("HEIGHT") : 1;
   const std::uint64_t points = header.whole("WIDTH") * height;
   if (header.has("POINTS") && header.whole("POINTS") != points)

@@ -51,4 +51,17 @@ std::uint64_t PcdHeader::whole(const std::string& key, const std::string& word) 
   return *value;
 }
 
+std::optional<std::array<double, 7>> PcdHeader::viewpoint() const {
+  if (!has("VIEWPOINT")) return std::nullopt;
+  const Words& found = words("VIEWPOINT");
+  std::array<double, 7> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto value = i < found.size() ? parse_real(found[i]) : std::nullopt;
+    if (!value || found.size() != values.size())
+      throw FileFailure(path_, "its PCD header has a VIEWPOINT that is not 7 numbers");
+    values[i] = *value;
+  }
+  return values;
+}
+
 }  // namespace cli

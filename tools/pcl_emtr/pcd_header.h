@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <istream>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,9 @@ class PcdHeader {
   /// A count as PCL holds it, in 32 bits.
   std::uint64_t whole(const std::string& key, const std::string& word) const;
   std::uint64_t whole(const std::string& key) const { return whole(key, words(key).front()); }
+
+  /// The sensor's position and orientation (w, x, y, z), if there is such a line.
+  std::optional<std::array<double, 7>> viewpoint() const;
 
  private:
   std::string path_;

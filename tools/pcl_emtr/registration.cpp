@@ -5,7 +5,7 @@
 #include "coordinates.h"
 #include "failure.h"
 #include "interrupt.h"
-#include "talk.h"
+#include "progress_line.h"
 
 namespace cli {
 namespace {

@@ -1,23 +1,16 @@
 #include "report.h"
 
-#include <nlohmann/json.hpp>
-
+#include "json_rows.h"
+#include "report_standing.h"
 #include "setting_text.h"
 #include "versions.h"
 
 namespace cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json file_name(const std::string& path) { return path.empty() ? Json() : Json(path); }
 
-Json rows(const double (&matrix)[16]) {
-  Json out = Json::array();
-  for (int i = 0; i < 16; i += 4)
-    out.push_back({matrix[i], matrix[i + 1], matrix[i + 2], matrix[i + 3]});
-  return out;
-}
+Json position(std::int32_t known, const double (&at)[3]) { return known ? Json(at) : Json(); }
 
 Json settings_json(const emtr_settings& settings) {
   Json out;
@@ -58,6 +51,8 @@ const char* reason_name(emtr_reason reason) {
       return "few_matches";
     case EMTR_REASON_INTERRUPTED:
       return "interrupted";
+    case EMTR_REASON_DEGENERATE:
+      return "degenerate";
   }
   return "unknown";
 }
@@ -80,24 +75,37 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["threads"] = r.threads;
   out["kernel"] = r.kernel;
   out["settings"] = settings_json(options.settings);
-  out["guess"] = options.settings.has_guess ? rows(options.settings.guess) : Json();
+  const emtr_settings& s = options.settings;
+  out["guess"] = s.has_guess ? rows<4>(s.guess) : Json();
+  out["viewpoints"] = {{"source", position(s.has_viewpoint_source, s.viewpoint_source)},
+                       {"target", position(s.has_viewpoint_target, s.viewpoint_target)}};
 
   out["registered"] = r.registered != 0;
   out["reason"] = reason_name(r.reason);
   out["reason_text"] = emtr_reason_text(r.reason);
-  out["transformation"] = rows(r.transformation);
+  out["confidence"] = r.confidence;
+  out["transformation"] = rows<4>(r.transformation);
   out["quality"] = {{"fitness", r.fitness},
                     {"inlier_ratio_source", r.inlier_ratio_source},
                     {"inlier_ratio_target", r.inlier_ratio_target},
                     {"inlier_rmse", r.inlier_rmse},
-                    {"mode_gap", r.mode_gap}};
+                    {"mode_gap", r.mode_gap},
+                    {"score", r.score},
+                    {"fit", r.fit},
+                    {"violation", r.violation},
+                    {"score_gap", r.score_gap}};
+  out["escalated"] = r.escalated != 0;
+  out["refined"] = r.refined != 0;
+  out["alternatives"] = alternatives_json(r);
+  out["refinement"] = refinement_json(r);
   out["counts"] = {{"read_source", source.size()},         {"read_target", target.size()},
                    {"points_source", r.points_source},     {"points_target", r.points_target},
                    {"dropped_source", r.dropped_source},   {"dropped_target", r.dropped_target},
                    {"sparse_source", r.sparse_source},     {"sparse_target", r.sparse_target},
                    {"dense_source", r.dense_source},       {"dense_target", r.dense_target},
                    {"correspondences", r.correspondences}, {"tims", r.tims},
-                   {"tims_pruned", r.tims_pruned},         {"iterations", r.iterations}};
+                   {"tims_pruned", r.tims_pruned},         {"seeds", r.seeds},
+                   {"candidates", r.candidates},           {"iterations", r.iterations}};
   out["lookups"] = {{"evaluation", r.lookups_evaluation},
                     {"switch", r.lookups_switch},
                     {"complement", r.lookups_complement},
@@ -113,7 +121,11 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                     {"densities", r.seconds_densities},
                     {"features", r.seconds_features},
                     {"matching", r.seconds_matching},
+                    {"seeds", r.seconds_seeds},
                     {"evolution", r.seconds_evolution},
+                    {"candidates", r.seconds_candidates},
+                    {"escalation", r.seconds_escalation},
+                    {"refinement", r.seconds_refinement},
                     {"verdict", r.seconds_verdict},
                     {"total", r.seconds_total}};
   out["history"] = {{"alpha", std::vector<double>(r.history_alpha, r.history_alpha + r.iterations)},

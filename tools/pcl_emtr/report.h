@@ -10,8 +10,8 @@
 namespace cli {
 
 /// Everything about a run as JSON: enough to repeat it and to judge it. What is not known (the
-/// rmse without inliers, files not asked for) is null. Lengths are in the clouds' own unit,
-/// leaves in the normalised frame, times in seconds.
+/// rmse without inliers, the confidence without candidates, files not asked for) is null. Lengths
+/// are in the clouds' own unit, leaves in the normalised frame, times in seconds.
 std::string report(const Options& options, const CloudFile& source, const CloudFile& target,
                    const emtr_result& result);
 

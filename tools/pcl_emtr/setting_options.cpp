@@ -42,7 +42,7 @@ SettingOptions::SettingOptions(CLI::App& app) {
     entry->option =
         app.add_option(option_name(name), entry->text, wrapped(description_of(entry->info), 66));
     entry->option->type_name(kind_of(entry->info));
-    if (name != "seed" && name != "threads") entry->option->group(group_of(entry->info.part));
+    if (*entry->info.part) entry->option->group(group_of(entry->info.part));
   }
 }
 
@@ -62,6 +62,18 @@ void SettingOptions::apply(emtr_settings& settings) const {
     if (!value) throw wrong;
     if (emtr_setting_set(&settings, info.name, *value) != EMTR_OK)
       throw UsageFailure(option_name(info.name) + ": " + emtr_error_message());
+  }
+}
+
+void SettingOptions::use_reference(emtr_settings& settings) const {
+  for (const auto& entry : entries_) {
+    const std::string name = entry->info.name;
+    const std::string choice = name == "neighbors" ? "kdtree" : name == "features" ? "pcl" : "";
+    if (choice.empty()) continue;
+    if (entry->option->count() > 0 && entry->text != choice)
+      throw UsageFailure("--reference and " + option_name(name) + " " + entry->text +
+                         " contradict each other, it means " + option_name(name) + " " + choice);
+    emtr_setting_set(&settings, name.c_str(), value_of(entry->info, choice).value());
   }
 }
 

@@ -18,6 +18,9 @@ class SettingOptions {
   /// Sets what the user gave; throws UsageFailure for a value of the wrong kind or range.
   void apply(emtr_settings& settings) const;
 
+  /// PCL behind look-ups and features; throws UsageFailure when the user chose otherwise.
+  void use_reference(emtr_settings& settings) const;
+
  private:
   struct Entry {
     emtr_setting_info info;

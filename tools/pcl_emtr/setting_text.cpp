@@ -80,9 +80,7 @@ std::string description_of(const emtr_setting_info& info) {
   return text + "default " + default_of(info) + "]";
 }
 
-std::string group_of(const std::string& part) {
-  return part.empty() ? "Other settings" : "Settings of the method: " + part;
-}
+std::string group_of(const std::string& part) { return "Settings of the method: " + part; }
 
 std::string wrapped(const std::string& text, std::size_t width) {
   std::istringstream in(text);

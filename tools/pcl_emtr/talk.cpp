@@ -1,12 +1,12 @@
 #include "talk.h"
 
 #include <pcl/console/print.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace cli {
 namespace {
@@ -37,15 +37,35 @@ std::string ms(double seconds) {
   return text;
 }
 
+/// Milliseconds of the stages that took any.
+std::string stages(const emtr_result& r) {
+  const std::pair<const char*, double> all[] = {
+      {"frame", r.seconds_frame},           {"densities", r.seconds_densities},
+      {"features", r.seconds_features},     {"matching", r.seconds_matching},
+      {"seeds", r.seconds_seeds},           {"evolution", r.seconds_evolution},
+      {"candidates", r.seconds_candidates}, {"escalation", r.seconds_escalation},
+      {"refinement", r.seconds_refinement}, {"verdict", r.seconds_verdict}};
+  std::string text;
+  for (const auto& [name, seconds] : all) {
+    if (seconds == 0) continue;
+    char number[32];
+    std::snprintf(number, sizeof number, " %.*f", seconds < 0.01 ? 1 : 0, 1e3 * seconds);
+    text += (text.empty() ? "" : ", ") + std::string(name) + number;
+  }
+  return text;
+}
+
 void counts(const char* name, std::size_t points, std::size_t dropped, std::size_t sparse,
-            std::size_t dense) {
+            std::size_t dense, const double* viewpoint) {
   INFO("  %s ", name);
   VALUE("%zu", points);
   INFO(" finite points, ");
   VALUE("%zu", dropped);
   INFO(" dropped (NaN or infinite); ");
   if (sparse) INFO("sparse %zu, ", sparse);
-  INFO("dense %zu\n", dense);
+  INFO("dense %zu", dense);
+  if (viewpoint) INFO("; sensor at %.7g %.7g %.7g", viewpoint[0], viewpoint[1], viewpoint[2]);
+  INFO("\n");
 }
 
 }  // namespace
@@ -62,22 +82,23 @@ void Talk::loaded(const CloudFile& cloud) const {
   INFO(" points]\n");
 }
 
-void Talk::registered(const emtr_result& r) const {
+void Talk::registered(const emtr_result& r, const emtr_settings& settings) const {
   if (quiet_) return;
   HIGHLIGHT("Registering ");
   INFO("[done, ");
   VALUE("%s", ms(r.seconds_total).c_str());
   INFO(" : ");
   VALUE("%zu", r.iterations);
-  INFO(" iterations]\n");
-  INFO("  frame %s, densities %s, features %s, matching %s, evolution %s, verdict %s\n",
-       ms(r.seconds_frame).c_str(), ms(r.seconds_densities).c_str(), ms(r.seconds_features).c_str(),
-       ms(r.seconds_matching).c_str(), ms(r.seconds_evolution).c_str(),
-       ms(r.seconds_verdict).c_str());
-  counts("source", r.points_source, r.dropped_source, r.sparse_source, r.dense_source);
-  counts("target", r.points_target, r.dropped_target, 0, r.dense_target);
-  INFO("  %zu correspondences, %zu TIMs (%zu pruned), %" PRIu64 " look-ups, %d threads, %s\n",
-       r.correspondences, r.tims, r.tims_pruned,
+  INFO(" iterations%s%s]\n", r.escalated ? ", escalated" : "", r.refined ? ", refined" : "");
+  INFO("  ms: %s\n", stages(r).c_str());
+  counts("source", r.points_source, r.dropped_source, r.sparse_source, r.dense_source,
+         settings.has_viewpoint_source ? settings.viewpoint_source : nullptr);
+  counts("target", r.points_target, r.dropped_target, 0, r.dense_target,
+         settings.has_viewpoint_target ? settings.viewpoint_target : nullptr);
+  INFO("  %zu correspondences, %zu TIMs (%zu pruned), ", r.correspondences, r.tims, r.tims_pruned);
+  if (r.seeds) INFO("%zu %s, ", r.seeds, r.seeds == 1 ? "seed" : "seeds");
+  if (r.candidates) INFO("%zu %s, ", r.candidates, r.candidates == 1 ? "candidate" : "candidates");
+  INFO("%" PRIu64 " look-ups, %d threads, %s\n",
        r.lookups_evaluation + r.lookups_switch + r.lookups_complement, r.threads, r.kernel);
   INFO("  fitness ");
   VALUE("%.4f", r.fitness);
@@ -87,8 +108,26 @@ void Talk::registered(const emtr_result& r) const {
   VALUE("%.1f", 100 * r.inlier_ratio_target);
   INFO(" %% of target, their rmse ");
   VALUE("%.4g", r.inlier_rmse);
-  INFO(", gap to the next best pose ");
-  VALUE("%.4f\n", r.mode_gap);
+  standing(r);
+}
+
+void Talk::standing(const emtr_result& r) const {
+  if (!r.candidates) {  // the swarm alone
+    INFO(", gap to the next best pose ");
+    VALUE("%.4f\n", r.mode_gap);
+    return;
+  }
+  INFO("\n  surfaces: fit ");
+  VALUE("%.4f", r.fit);
+  INFO(" (1 is best), violation ");
+  VALUE("%.4f", r.violation);
+  INFO(" (0 is best), score ");
+  VALUE("%.4f", r.score);
+  if (r.alternative_count) {
+    INFO(", next best pose ");
+    VALUE("%.4f", r.alternatives[0].score);
+  }
+  INFO("\n");
 }
 
 void Talk::verdict(const emtr_result& r) const {
@@ -97,8 +136,13 @@ void Talk::verdict(const emtr_result& r) const {
             "; the transformation is doubtful");
   if (quiet_) return;
   HIGHLIGHT("Verdict ");
-  print_color(stderr, TT_BRIGHT, r.registered ? TT_GREEN : TT_RED, "%s\n",
+  print_color(stderr, TT_BRIGHT, r.registered ? TT_GREEN : TT_RED, "%s",
               r.registered ? "registered" : "not registered");
+  if (std::isfinite(r.confidence)) {
+    INFO(", confidence ");
+    VALUE("%.3f", r.confidence);
+  }
+  INFO("\n");
   HIGHLIGHT("T ");
   INFO("(source into target, q = R p + t)\n");
   for (int i = 0; i < 16; i += 4) {
@@ -116,26 +160,6 @@ void Talk::saved(const std::string& path, const std::string& what) const {
 
 void Talk::warning(const std::string& text) const {
   print_color(stderr, TT_BRIGHT, TT_YELLOW, "pcl_emtr: warning: %s\n", text.c_str());
-}
-
-ProgressLine::ProgressLine(bool quiet) : active_(!quiet && isatty(STDERR_FILENO)) {}
-
-ProgressLine::~ProgressLine() {
-  if (active_ && last_ >= 0) std::fputs("\r\033[K", stderr);
-}
-
-void ProgressLine::show(const emtr_progress& progress) {
-  if (!active_) return;
-  const double now =
-      std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  const bool first = progress.iteration == 0;  // of a stage, always shown
-  if (!first && now - last_ < 0.05) return;
-  last_ = now;
-  std::fprintf(stderr, "\r\033[K%s", progress.stage);
-  if (!first)
-    std::fprintf(stderr, " %d/%d  best alpha %.5g  best beta %.5g", progress.iteration,
-                 progress.iterations, progress.best_alpha, progress.best_beta);
-  std::fflush(stderr);
 }
 
 }  // namespace cli

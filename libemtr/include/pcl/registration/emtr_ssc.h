@@ -19,7 +19,9 @@ namespace pcl {
  * registration by evolutionary multitasking with solution space cutting.
  *
  * Two swarms search at once, one for the pose that brings the clouds together, one for the
- * rotation that most pairs of feature matches agree on, and teach each other as they go.
+ * rotation that most pairs of feature matches agree on, and teach each other as they go. By the
+ * preset "default" poses that consistent matches agree on join them, the best of all are ranked on
+ * the surfaces, and the answer is refined; "paper" is the method as published.
  *
  * Y. Wu et al., "Evolutionary Multitasking with Solution Space Cutting for Point Cloud
  * Registration", IEEE Transactions on Emerging Topics in Computational Intelligence, 2023.
@@ -31,7 +33,8 @@ namespace pcl {
  * pcl::PointCloud<pcl::PointXYZ> aligned;
  * reg.align(aligned);
  * if (reg.hasConverged())
- *   std::cout << reg.getFinalTransformation() << '\n'; // source into target: q = R p + t
+ *   std::cout << reg.getFinalTransformation() << '\n'  // source into target: q = R p + t
+ *             << reg.getConfidence() << '\n';           // 0 to 1
  * else
  *   std::cout << reg.getReasonText() << '\n';
  * \endcode
@@ -40,8 +43,9 @@ namespace pcl {
  * settings and seed give the same bits, however many threads there are.
  *
  * \note Of the inherited settings these act:
- * - setMaximumIterations(): the number of generations of the evolution, 100 by default. All are
- *   run, there is no stopping rule; getResult()->iterations tells how many were done.
+ * - setMaximumIterations(): the number of generations of the evolution, 25 by default and 100 in
+ *   preset "paper". All are run, there is no stopping rule; getResult()->iterations tells how many
+ *   were done.
  * - setIndices(): only these source points are registered and put out.
  * - the guess of align(): unless it is the identity, it is tried as one hypothesis among the
  *   particles; it is not a start that the search stays near. The final transformation maps the
@@ -52,6 +56,11 @@ namespace pcl {
  * epsilons, setRANSACIterations(), setRANSACOutlierRejectionThreshold(),
  * setTransformationEstimation(), setCorrespondenceEstimation(), addCorrespondenceRejector(),
  * setSearchMethodSource(), registerVisualizationCallback().
+ *
+ * \note Where each sensor stood helps at low overlap: points that would hide what the other sensor
+ * saw count against a pose. It is what setSourceViewpoint() and setTargetViewpoint() say, else the
+ * input's sensor_origin_ unless that is zero, which PCL gives every cloud and which here means
+ * unknown. A sensor that stood at the origin is told by setSourceViewpoint({0, 0, 0}).
  *
  * \note What can be made ready of a cloud by itself is made once and used again by the next align()
  * as long as its coordinates, and for the source the indices, stay the same: so one target serves
@@ -88,7 +97,7 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   /** \brief Told of the progress; returns true to go on, false to stop the run. */
   using ProgressCallback = std::function<bool(const emtr_progress&)>;
 
-  /** \brief Starts from the preset "paper". */
+  /** \brief Starts from the preset "default". */
   EMTRSSCRegistration();
 
   /** \brief Sets the cloud to be moved and forgets the last result. A null or empty cloud is
@@ -106,7 +115,8 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * class does not compile in PCL 1.13. */
   void align(PointCloudSource& output, const Matrix4& guess = Matrix4::Identity());
 
-  /** \brief Replaces all settings, seed and threads too, by a preset of emtr_preset_name().
+  /** \brief Replaces all settings, seed and threads too but not the viewpoints, by a preset of
+   * emtr_preset_name(): "default", "fast", "thorough" or "paper".
    * \return false, with a PCL_ERROR and no change, when there is none of that name */
   bool setPreset(const std::string& name);
 
@@ -119,8 +129,8 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * \return false, with a PCL_ERROR and \a value as it was, when the name is unknown */
   bool getSetting(const std::string& name, double& value) const;
 
-  /** \brief Replaces all settings at once; they are checked by align(). `iterations` becomes the
-   * maximum number of iterations. */
+  /** \brief Replaces all settings at once, the viewpoints too; they are checked by align().
+   * `iterations` becomes the maximum number of iterations. */
   void setSettings(const emtr_settings& settings);
 
   /** \brief A copy of the settings, `iterations` being the maximum number of iterations. */
@@ -137,6 +147,24 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
     settings_.threads = static_cast<std::int32_t>(nr_threads);
   }
 
+  /** \brief Says where the sensor of the source stood, in the source's own frame and unit, for this
+   * source and all to come; it goes before the cloud's sensor_origin_. A position that is not
+   * finite makes align() fail. */
+  void setSourceViewpoint(const Eigen::Vector3f& viewpoint) {
+    setViewpoint(viewpoint, settings_.has_viewpoint_source, settings_.viewpoint_source);
+  }
+
+  /** \brief Says where the sensor of the target stood; as setSourceViewpoint(). */
+  void setTargetViewpoint(const Eigen::Vector3f& viewpoint) {
+    setViewpoint(viewpoint, settings_.has_viewpoint_target, settings_.viewpoint_target);
+  }
+
+  /** \brief Takes back setSourceViewpoint(): the sensor_origin_ of the source decides again. */
+  void clearSourceViewpoint() { settings_.has_viewpoint_source = 0; }
+
+  /** \brief Takes back setTargetViewpoint(): the sensor_origin_ of the target decides again. */
+  void clearTargetViewpoint() { settings_.has_viewpoint_target = 0; }
+
   /** \brief Sets what is told of the progress, on the thread that calls align(); an empty function
    * for nothing. What it throws stops the run and comes out of align(), which then has no pose. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -144,6 +172,10 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   /** \brief The whole result of the last align(): verdict, quality, counts, cost, timings, history.
    * Null when it failed, before it, and after an input setter. */
   [[nodiscard]] ResultConstPtr getResult() const { return result_; }
+
+  /** \brief How probable it is held that the final transformation is right, 0 to 1. NaN before any
+   * align(), when it failed, and without candidates, as in preset "paper". */
+  [[nodiscard]] double getConfidence() const;
 
   /** \brief Why the last align() did or did not converge, in a few words; empty before it. */
   [[nodiscard]] std::string getReasonText() const;
@@ -170,6 +202,13 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   void computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
 
  private:
+  static void setViewpoint(const Eigen::Vector3f& viewpoint, std::int32_t& known,
+                           double (&position)[3]);
+
+  /** \brief The sensor_origin_ of a cloud, where none was set and it is not zero. */
+  static void fillViewpoint(const Eigen::Vector4f& sensor_origin, std::int32_t& known,
+                            double (&position)[3]);
+
   /** \brief Of one point type: by the base class. */
   void alignAs(PointCloudSource& output, const Matrix4& guess, std::true_type);
 

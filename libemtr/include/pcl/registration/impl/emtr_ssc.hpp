@@ -4,6 +4,7 @@
 #include <pcl/console/print.h>
 #include <pcl/registration/emtr_ssc.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <limits>
@@ -19,7 +20,7 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 EMTRSSCRegistration<PointSource, PointTarget, Scalar>::EMTRSSCRegistration() : settings_() {
   reg_name_ = "EMTRSSCRegistration";
   tree_.reset(new detail::FiniteKdTree<PointTarget>);
-  setPreset("paper");
+  setPreset("default");
   forgetResult();
 }
 
@@ -70,8 +71,27 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setPreset(const std:
     PCL_ERROR("[pcl::%s::setPreset] %s\n", getClassName().c_str(), emtr_error_message());
     return false;
   }
+  // They belong to the clouds, not to the method.
+  settings.has_viewpoint_source = settings_.has_viewpoint_source;
+  settings.has_viewpoint_target = settings_.has_viewpoint_target;
+  std::copy_n(settings_.viewpoint_source, 3, settings.viewpoint_source);
+  std::copy_n(settings_.viewpoint_target, 3, settings.viewpoint_target);
   setSettings(settings);
   return true;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setViewpoint(
+    const Eigen::Vector3f& viewpoint, std::int32_t& known, double (&position)[3]) {
+  known = 1;
+  Eigen::Vector3d::Map(position) = viewpoint.cast<double>();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::fillViewpoint(
+    const Eigen::Vector4f& sensor_origin, std::int32_t& known, double (&position)[3]) {
+  const Eigen::Vector3f origin = sensor_origin.head<3>();
+  if (!known && !origin.isZero(0)) setViewpoint(origin, known, position);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -107,6 +127,11 @@ emtr_settings EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getSettings
   emtr_settings settings = settings_;
   settings.iterations = max_iterations_;
   return settings;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+double EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getConfidence() const {
+  return result_ ? result_->confidence : std::numeric_limits<double>::quiet_NaN();
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -182,6 +207,8 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointClo
     for (Eigen::Index i = 0; i < 16; ++i)
       settings.guess[i] = static_cast<double>(guess(i / 4, i % 4));
   }
+  fillViewpoint(input_->sensor_origin_, settings.has_viewpoint_source, settings.viewpoint_source);
+  fillViewpoint(target_->sensor_origin_, settings.has_viewpoint_target, settings.viewpoint_target);
   const auto start = std::chrono::steady_clock::now();
   const auto prepared_source = prepared_source_.of(source, "source", settings.threads);
   const auto prepared_target =
