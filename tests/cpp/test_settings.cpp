@@ -27,7 +27,7 @@ TEST(Settings, EveryRowStoresAndReadsBackItsOwnField) {
   for (std::size_t i = 0; i < emtr::setting_count(); ++i) {
     const emtr::Setting& row = emtr::setting(i);
     EXPECT_TRUE(offsets.insert(row.offset).second) << row.info.name;
-    Settings s = emtr::preset("paper");
+    Settings s = emtr::preset("default");
     EXPECT_EQ(emtr::get(s, row), row.info.value) << row.info.name;
     for (const double value : {row.info.minimum, row.info.maximum}) {
       emtr::set(s, row.info.name, value);
