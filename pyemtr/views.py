@@ -70,12 +70,14 @@ class ProblemViews(ABC):
 
     @property
     def correspondences(self) -> NDArray[np.int32]:
-        """int32 (k, 2): rows of the source's and the target's dense cloud."""
+        """int32 (k, 2): rows of the source's and the target's dense cloud; the nearest
+        descriptors first."""
         return self._array("correspondences")
 
     @property
     def tim_source(self) -> Singles:
-        """float32 (l, 3): p_k - p_j of the pairs of correspondences that are not pruned."""
+        """float32 (l, 3): p_k - p_j of the pairs that are not pruned, of the first correspondences,
+        as many as ``max_tims`` lets in."""
         return self._array("tim_source")
 
     @property

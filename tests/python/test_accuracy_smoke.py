@@ -5,7 +5,10 @@ import os
 import subprocess
 import sys
 
+import numpy as np
 from accuracy_fakes import REPOSITORY
+from emtr_bench import runner
+from emtr_bench.engine import PyemtrEngine
 
 SCRIPT = REPOSITORY / "tools" / "bench" / "accuracy"
 
@@ -45,3 +48,12 @@ def test_unknown_settings_are_refused_by_name():
 def test_without_data_nothing_is_measured():
     done = run(EMTR_DATA="/nowhere")
     assert done.returncode == 2 and "EMTR_DATA" in done.stderr
+
+
+def test_the_library_is_told_where_the_sensors_stood(pair):
+    options = runner.Options(preset="fast", threads=2, settings={"iterations": 3})
+    for sensors in (None, runner.Sensors(np.array([1.0, 2.0, 3.0]), np.zeros(3))):
+        outcome = PyemtrEngine().register(pair.source, pair.target, options, sensors)
+        places = [outcome.settings[f"{side}_viewpoint"] for side in ("source", "target")]
+        assert places == ([None, None] if sensors is None else [[1, 2, 3], [0, 0, 0]])
+        assert outcome.settings["iterations"] == 3 and 0 < outcome.quality["confidence"] <= 1
