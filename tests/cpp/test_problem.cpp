@@ -62,7 +62,7 @@ TEST(Problem, CanBeStoppedBeforeEveryStage) {
 }
 
 TEST(Problem, UnrelatedCloudsAreNotRegistered) {
-  const emtr_test::Pair a(7, 4000), b(8, 4000);
+  const emtr_test::Pair a(7, 4000);
   const auto flat = emtr_test::uniform_cloud(4000, 3, 1, 0.02f);
   std::vector<float> plate;
   for (std::size_t i = 0; i < flat.size(); ++i)
@@ -90,6 +90,65 @@ TEST(Problem, FeaturesAreOfTheBackendThatTheSettingNames) {
                              expected.descriptors.data(), 4 * expected.descriptors.size()));
     EXPECT_TRUE(problem.solve(nullptr)->registered);
   }
+}
+
+TEST(Problem, KeepsWhatEveryStageMade) {
+  const emtr_test::Pair pair(11, 3000);
+  const emtr::Settings settings = emtr::preset("default");
+  const emtr::Problem p(pair.source(), pair.target(), settings, nullptr);
+  EXPECT_EQ(&p.kernels, &emtr::select_kernels());
+  EXPECT_EQ(p.points_source, 3000u);
+  EXPECT_EQ(p.source_features.normals.size(), 3 * p.densities.source_dense.size());
+  EXPECT_EQ(p.target_features.descriptors.size(),
+            emtr::kFeatureSize * p.densities.target_dense.size());
+  ASSERT_GT(p.correspondences.size(), 10u);
+  for (const emtr::Correspondence& c : p.correspondences) {
+    EXPECT_LT(static_cast<std::size_t>(c.source), p.densities.source_dense.size());
+    EXPECT_LT(static_cast<std::size_t>(c.target), p.densities.target_dense.size());
+  }
+  ASSERT_FALSE(p.seeds.empty());
+  const emtr::Rigid truth = p.frame.to_normalised(emtr::from_matrix(pair.pose()));
+  EXPECT_LT(emtr::rotation_distance(p.seeds.front().pose.R, truth.R), 0.1);
+  EXPECT_GT(p.tau, 0);
+  ASSERT_TRUE(p.surfaces);
+  EXPECT_EQ(p.surfaces->source().points.x, p.densities.source_dense.x);
+  EXPECT_EQ(p.surfaces->target().leaf, p.densities.leaf_dense);
+}
+
+TEST(Problem, MakesOnlyWhatTheSettingsAskFor) {
+  const emtr_test::Pair pair(11, 2000);
+  emtr::Settings settings = emtr::preset("paper");
+  const emtr::Problem neither(pair.source(), pair.target(), settings, nullptr);
+  EXPECT_TRUE(neither.seeds.empty());
+  EXPECT_FALSE(neither.surfaces);
+  settings.seeds = 20;  // for the swarm alone
+  const emtr::Problem seeds(pair.source(), pair.target(), settings, nullptr);
+  EXPECT_FALSE(seeds.seeds.empty());
+  EXPECT_LE(seeds.seeds.size(), 20u);
+  EXPECT_FALSE(seeds.surfaces);
+  settings.seeds = 0;
+  settings.candidates = 5;  // of the swarm alone
+  const emtr::Problem candidates(pair.source(), pair.target(), settings, nullptr);
+  EXPECT_TRUE(candidates.seeds.empty());
+  EXPECT_TRUE(candidates.surfaces);
+  const auto result = candidates.solve(nullptr);
+  EXPECT_GT(result->candidates, 0u);
+  EXPECT_LT(pair.error(result->transformation), 0.05);
+}
+
+TEST(Problem, OfPreparedCloudsGivesTheSameBits) {
+  const emtr_test::Pair pair(12, 3000);
+  const emtr::Settings settings = emtr::preset("default");
+  const auto prepared = [](const emtr_cloud& cloud, const char* name) {
+    return std::make_shared<const emtr::PreparedCloud>(cloud, name, 1);
+  };
+  const emtr::Problem once(pair.source(), pair.target(), settings, nullptr);
+  const emtr::Problem again(prepared(pair.source(), "a"), prepared(pair.target(), "b"), settings,
+                            nullptr);
+  const auto a = once.solve(nullptr), b = again.solve(nullptr);
+  EXPECT_TRUE(std::equal(a->transformation, a->transformation + 16, b->transformation));
+  EXPECT_EQ(a->beta, b->beta);
+  EXPECT_EQ(a->confidence, b->confidence);
 }
 
 TEST(Problem, RefusesBadSettings) {

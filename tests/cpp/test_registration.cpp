@@ -230,6 +230,34 @@ TEST(Registration, AnotherSeedGivesOtherBitsAndTheSameAnswer) {
   EXPECT_LT(pair.error(b->transformation), 0.01);
 }
 
+// ---- units ----------------------------------------------------------------------------
+
+TEST(Registration, TheUnitScalesTheResultAndNothingElse) {
+  constexpr double unit = 64;  // a power of two, so that no digit changes
+  const Pair one(66, 3000), large(66, 3000, unit);
+  const ResultPtr a = solve(one, preset("default")), b = solve(large, preset("default"));
+  EXPECT_EQ(b->scale, unit * a->scale);
+  EXPECT_EQ(b->inlier_rmse, unit * a->inlier_rmse);
+  EXPECT_EQ(b->score, a->score);
+  EXPECT_EQ(b->confidence, a->confidence);
+  EXPECT_EQ(b->leaf_dense, a->leaf_dense);
+  EXPECT_EQ(b->alpha, a->alpha);
+  for (std::size_t i = 0; i < 12; ++i)
+    EXPECT_EQ(b->transformation[i], (i % 4 == 3 ? unit : 1) * a->transformation[i]) << i;
+  ASSERT_EQ(a->refined, 1);
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) {
+      const double shifts = (i < 3 ? 1 : unit) * (j < 3 ? 1 : unit);
+      EXPECT_NEAR(b->information[6 * i + j] * shifts / a->information[6 * i + j], 1, 1e-12);
+      EXPECT_EQ(b->hold_directions[6 * i + j], a->hold_directions[6 * i + j]);
+    }
+  ASSERT_EQ(a->alternative_count, b->alternative_count);
+  for (std::size_t k = 0; k < a->alternative_count; ++k)
+    for (std::size_t i = 0; i < 12; ++i)
+      EXPECT_EQ(b->others[k].transformation[i],
+                (i % 4 == 3 ? unit : 1) * a->others[k].transformation[i]);
+}
+
 // ---- what cannot be registered --------------------------------------------------------
 
 TEST(Registration, UnrelatedCloudsAreNotRegistered) {

@@ -100,17 +100,23 @@ TEST_F(Pool, PolishesWhatItTakesIn) {
 }
 
 TEST_F(Pool, NoPoseIsMadeWorse) {
-  // Far from the truth the polish wanders, and part of it must be taken back.
-  std::size_t moved = 0, kept = 0;
-  for (const Rigid& start : anywhere(60, 11)) {
+  // Next to the truth there is little to gain, and now and then the polish loses.
+  std::vector<Rigid> starts = anywhere(20, 11);
+  emtr_test::Draw draw(5);
+  for (int i = 0; i < 300; ++i)
+    starts.push_back(scene().off(0.05 * draw.direction(), 0.0005 * draw.direction()));
+  std::size_t lost = 0;
+  emtr::LocalPolish::Scratch scratch;
+  for (const Rigid& start : starts) {
     emtr::Pool pool(surfaces());
     add(pool, {start});
-    const Rigid& pose = pool.ranked().front().pose;
-    EXPECT_GE(quick(pose), quick(start));
-    (same_bits(pose, start) ? kept : moved) += 1;
+    const Rigid polished = surfaces().polish()(start, scratch).pose;
+    const bool worse = quick(polished) < quick(start);
+    EXPECT_TRUE(same_bits(pool.ranked().front().pose, worse ? start : polished));
+    lost += worse;
   }
-  EXPECT_GT(moved, 0u);
-  EXPECT_GT(kept, 0u);
+  EXPECT_GT(lost, 0u);
+  EXPECT_LT(lost, starts.size() / 2);
 }
 
 TEST_F(Pool, IsRankedByTheFineScoreAndDistinct) {

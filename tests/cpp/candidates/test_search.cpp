@@ -85,6 +85,23 @@ TEST_F(Search, EscalationUsesTheSensorsThatAreGiven) {
   const emtr::Candidate& best = found.ranked().front();
   EXPECT_TRUE(scene.solved(best.pose));
   EXPECT_EQ(best.score, best.fit.same_side - 2 * best.violation);
+
+  // Seen from where they are in the normalised frame.
+  const auto at = [&](const emtr::Surface& surface, const double* user, const double* center) {
+    emtr::Viewpoint v;
+    for (int a = 0; a < 3; ++a) v.at[a] = (user[a] - center[a]) / scene.normalised.frame.scale;
+    return emtr::given_viewpoint(surface, v, emtr::select_kernels());
+  };
+  const emtr::Frame& frame = scene.normalised.frame;
+  const emtr::Surfaces seen(scene.source, scene.target,
+                            at(scene.source, scene.settings.viewpoint_source, frame.center_source),
+                            at(scene.target, scene.settings.viewpoint_target, frame.center_target),
+                            emtr::select_kernels());
+  emtr::Ranking::Scratch scratch;
+  for (const emtr::Candidate& c : found.ranked()) {
+    EXPECT_EQ(c.score, seen.ranking().evaluate(c.pose, scratch).score);
+    EXPECT_EQ(c.violation, seen.ranking().evaluate(c.pose, scratch).violation);
+  }
   EXPECT_GT(best.score, 0.3);
 }
 
