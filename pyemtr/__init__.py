@@ -9,6 +9,7 @@ Every transformation maps source into target, q = R p + t.
 
 from . import _emtr
 from ._emtr import kernel_name
+from .alternative import Alternative
 from .cloud import Cloud
 from .options import Setting, presets, settings
 from .problem import Problem
@@ -19,5 +20,5 @@ from .tasks import TaskAlpha, TaskBeta
 
 __version__: str = _emtr.version()
 
-__all__ = ["Cloud", "Problem", "Progress", "Result", "Setting", "TaskAlpha", "TaskBeta",
-           "kernel_name", "presets", "register", "settings", "__version__"]
+__all__ = ["Alternative", "Cloud", "Problem", "Progress", "Result", "Setting", "TaskAlpha",
+           "TaskBeta", "kernel_name", "presets", "register", "settings", "__version__"]

@@ -19,6 +19,10 @@ cdef extern from "emtr/emtr.h" nogil:
         uint64_t seed
         int32_t has_guess
         double guess[16]
+        int32_t has_viewpoint_source
+        double viewpoint_source[3]
+        int32_t has_viewpoint_target
+        double viewpoint_target[3]
 
     ctypedef enum emtr_setting_type:
         EMTR_SETTING_INTEGER
@@ -69,8 +73,13 @@ cdef extern from "emtr/emtr.h" nogil:
         EMTR_REASON_AMBIGUOUS
         EMTR_REASON_FEW_MATCHES
         EMTR_REASON_INTERRUPTED
+        EMTR_REASON_DEGENERATE
 
     const char* emtr_reason_text(emtr_reason reason)
+
+    ctypedef struct emtr_alternative:
+        double transformation[16]
+        double score
 
     ctypedef struct emtr_result:
         double transformation[16]
@@ -93,6 +102,16 @@ cdef extern from "emtr/emtr.h" nogil:
         uint64_t seed
         int32_t threads
         const char* kernel
+        double confidence, score, fit, violation, score_gap
+        size_t seeds, candidates
+        int32_t escalated, refined
+        size_t alternative_count
+        const emtr_alternative* alternatives
+        double information[36]
+        double hold[6]
+        double hold_directions[36]
+        int32_t free_directions
+        double seconds_seeds, seconds_candidates, seconds_escalation, seconds_refinement
 
     void emtr_result_free(emtr_result* result)
     emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,

@@ -34,7 +34,7 @@ class Cloud:
     """
 
     def __init__(self, points: Any, *, threads: int = 0) -> None:
-        chosen = int(make_settings(0, threads, "paper", None, {}).get("threads"))
+        chosen = int(make_settings(0, threads, "default", None, {}).get("threads"))
         self._raw = _emtr.Prepared(as_points(points, "points"), "", chosen)
         self._info: dict[str, Any] = self._raw.describe()
 

@@ -11,15 +11,15 @@ from typing import Any, Mapping, Union
 import numpy as np
 
 from . import _emtr
-from .arrays import as_transformation
+from .arrays import as_transformation, as_vector
 
 Value = Union[int, float, bool, str]
 
 
-
 @dataclass(frozen=True)
 class Setting:
-    """One setting. ``minimum`` and ``maximum`` are inclusive, ``default`` is preset "paper"'s.
+    """One setting. ``minimum`` and ``maximum`` are inclusive, ``default`` is that
+    of preset "default".
 
     ``type`` is "integer", "real", "switch" (False or True) or "choice" (one of ``choices``).
     ``part`` is that of the method it belongs to; lengths are never in the cloud's own unit.
@@ -51,13 +51,14 @@ def presets() -> list[str]:
     return _emtr.preset_names()
 
 
-def make_settings(seed: int, threads: int, preset: str, guess: Any,
-                  changes: Mapping[str, Value]) -> _emtr.Settings:
-    """A preset with the changes made.
+def make_settings(seed: int, threads: int, preset: str, guess: Any, changes: Mapping[str, Value],
+                  source_viewpoint: Any = None, target_viewpoint: Any = None) -> _emtr.Settings:
+    """A preset with the changes made; what is None stays unknown.
 
     Raises:
         TypeError: an unknown setting (close names are listed), or a value of a wrong type.
-        ValueError: a value out of range, an unknown preset, a guess that is not (4, 4).
+        ValueError: a value out of range, an unknown preset, a guess that is not (4, 4), a
+            viewpoint that is not (3,) or not finite.
     """
     if not isinstance(preset, str):
         raise TypeError(f"preset: a name is expected, got {type(preset).__name__}")
@@ -71,17 +72,23 @@ def make_settings(seed: int, threads: int, preset: str, guess: Any,
     chosen.seed = _seed(seed)
     if guess is not None:
         chosen.guess = as_transformation(guess, "guess").reshape(16)
+    if source_viewpoint is not None:
+        chosen.viewpoint_source = as_vector(source_viewpoint, "source_viewpoint", 3)
+    if target_viewpoint is not None:
+        chosen.viewpoint_target = as_vector(target_viewpoint, "target_viewpoint", 3)
     return chosen
 
 
 def settings_used(chosen: _emtr.Settings) -> dict[str, Any]:
-    """All settings by name, as keyword arguments that repeat the run; guess: lists or None."""
+    """All settings by name, as keyword arguments that repeat the run; poses: lists or None."""
     used: dict[str, Any] = {}
     for name, setting in settings().items():
         used[name] = _plain(setting.type, chosen.get(name), setting.choices)
     used["seed"] = chosen.seed  # exact, where a double is not
     guess = chosen.guess
     used["guess"] = None if guess is None else [guess[i:i + 4] for i in range(0, 16, 4)]
+    used["source_viewpoint"] = chosen.viewpoint_source
+    used["target_viewpoint"] = chosen.viewpoint_target
     return used
 
 
@@ -130,7 +137,10 @@ def _seed(value: Any) -> int:
     return whole
 
 
+_OWN = ["preset", "guess", "source_viewpoint", "target_viewpoint"]  # that the table leaves out
+
+
 def _unknown(name: str, known: list[str]) -> str:
-    close = difflib.get_close_matches(name, known + ["preset", "guess"], n=3)
+    close = difflib.get_close_matches(name, known + _OWN, n=3)
     hint = f"did you mean {' or '.join(close)}?" if close else "see pyemtr.settings()"
     return f"unknown setting {name!r}; {hint}"

@@ -2,11 +2,7 @@
 
 REASONS = {EMTR_REASON_REGISTERED: "registered", EMTR_REASON_LOW_OVERLAP: "low_overlap",
            EMTR_REASON_AMBIGUOUS: "ambiguous", EMTR_REASON_FEW_MATCHES: "few_matches",
-           EMTR_REASON_INTERRUPTED: "interrupted"}
-
-
-cdef list listed(const double* values, size_t count):
-    return [values[i] for i in range(count)]
+           EMTR_REASON_INTERRUPTED: "interrupted", EMTR_REASON_DEGENERATE: "degenerate"}
 
 
 cdef dict fields(const emtr_result* r):
@@ -34,7 +30,9 @@ cdef dict fields(const emtr_result* r):
         "leaf_sparse": r.leaf_sparse, "leaf_dense": r.leaf_dense,
         "timings": {"frame": r.seconds_frame, "densities": r.seconds_densities,
                     "features": r.seconds_features, "matching": r.seconds_matching,
-                    "evolution": r.seconds_evolution, "verdict": r.seconds_verdict,
+                    "seeds": r.seconds_seeds, "evolution": r.seconds_evolution,
+                    "candidates": r.seconds_candidates, "escalation": r.seconds_escalation,
+                    "refinement": r.seconds_refinement, "verdict": r.seconds_verdict,
                     "total": r.seconds_total},
         "iterations": r.iterations,
         "history": {"alpha": listed(r.history_alpha, r.iterations),
@@ -42,6 +40,16 @@ cdef dict fields(const emtr_result* r):
         "seed": r.seed,
         "threads": r.threads,
         "kernel": r.kernel.decode(),
+        "confidence": r.confidence, "score": r.score, "fit": r.fit,
+        "violation": r.violation, "score_gap": r.score_gap,
+        "seeds": r.seeds, "candidates": r.candidates,
+        "escalated": bool(r.escalated), "refined": bool(r.refined),
+        "alternatives": [(listed(r.alternatives[i].transformation, 16), r.alternatives[i].score)
+                         for i in range(r.alternative_count)],
+        "information": listed(r.information, 36),
+        "hold": listed(r.hold, 6),
+        "hold_directions": listed(r.hold_directions, 36),
+        "free_directions": r.free_directions if r.refined else None,
     }
 
 

@@ -30,15 +30,17 @@ class Problem(ProblemViews):
     """
 
     def __init__(self, source: Any, target: Any, *, seed: int = 0, threads: int = 0,
-                 preset: str = "paper", guess: Any = None, **settings: Value) -> None:
-        chosen = make_settings(seed, threads, preset, guess, settings)
+                 preset: str = "default", guess: Any = None, source_viewpoint: Any = None,
+                 target_viewpoint: Any = None, **settings: Value) -> None:
+        chosen = make_settings(seed, threads, preset, guess, settings, source_viewpoint,
+                               target_viewpoint)
         self.settings: dict[str, Any] = settings_used(chosen)
         self._raw = _emtr.Problem(as_cloud(source, "source"), as_cloud(target, "target"), chosen)
         self._lock = threading.Lock()
         self._holder: int | None = None
 
     def solve(self, callback: Callback | None = None) -> Result:
-        """The evolution and the verdict; the same bits as :func:`pyemtr.register` gives."""
+        """From the evolution to the verdict; the same bits as :func:`pyemtr.register` gives."""
         raw_callback = as_raw_callback(callback)
         with self._alone():
             raw = self._raw.solve(raw_callback)

@@ -12,7 +12,8 @@ from .result import Result, make_result
 
 
 def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
-             preset: str = "paper", guess: Any = None, callback: Callback | None = None,
+             preset: str = "default", guess: Any = None, source_viewpoint: Any = None,
+             target_viewpoint: Any = None, callback: Callback | None = None,
              **settings: Value) -> Result:
     """Registers two partially overlapping clouds by EMTR-SSC, from any starting pose.
 
@@ -28,9 +29,13 @@ def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
         target: likewise, (M, 3).
         seed: 0 <= seed < 2**64.
         threads: 0 for as many as OpenMP would use; the result does not depend on it.
-        preset: one of :func:`pyemtr.presets`.
+        preset: one of :func:`pyemtr.presets`; "paper" is the method as published.
         guess: (4, 4), source into target, in the clouds' unit: tried as one hypothesis, not a
             place that the search stays near.
+        source_viewpoint: (3,), where the sensor stood that took the source, in the source's own
+            frame and unit. What it saw tells candidates apart: no surface is in front of it.
+            None when not known; it is then estimated where it is needed.
+        target_viewpoint: (3,), likewise of the target, in the target's frame and unit.
         callback: called with a :class:`pyemtr.Progress` before each stage and after each
             iteration. Return True to stop: the result then has the reason "interrupted". What
             it raises stops the run and reaches the caller. Ctrl-C is looked at as often, with
@@ -48,7 +53,8 @@ def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
         MemoryError: an allocation failed.
         RuntimeError: a defect of the library.
     """
-    chosen = make_settings(seed, threads, preset, guess, settings)
+    chosen = make_settings(seed, threads, preset, guess, settings, source_viewpoint,
+                           target_viewpoint)
     raw = _emtr.register(as_cloud(source, "source"), as_cloud(target, "target"), chosen,
                          as_raw_callback(callback))
     return make_result(raw, settings_used(chosen))

@@ -9,6 +9,7 @@ from typing import Any, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from .alternative import Alternative
 from .arrays import Floats, as_points
 
 
@@ -20,7 +21,8 @@ class Result:
         transformation: float64 (4, 4), source into target: q = R p + t. The caller's own copy,
             writable. All NaN when the run was stopped before any pose was known.
         registered: True when the pose is held to be right.
-        reason: "registered", "low_overlap", "ambiguous", "few_matches" or "interrupted".
+        reason: "registered", "low_overlap", "ambiguous", "few_matches", "interrupted" or
+            "degenerate".
         reason_text: the reason in a few words.
         fitness: mean M-estimator over both dense clouds, 0 (best) to 1.
         inlier_ratio_source, inlier_ratio_target: share of dense points with a neighbour in the
@@ -34,12 +36,30 @@ class Result:
         lookups: nearest neighbour look-ups ("evaluation", "switch", "complement").
         scale, center_source, center_target: the normalised frame, p' = (p - center) / scale.
         leaf_sparse, leaf_dense: edge of the thinning voxels, normalised frame.
-        timings: wall seconds by stage, and "total".
+        timings: wall seconds by stage, 0 for one that did not run, and "total".
         iterations: done.
         history: best fitness so far after each iteration, float64 (iterations,), of the tasks
             "alpha" (its scale changes at the switch from sparse to dense) and "beta".
         seed: as given; threads: used; kernel: the instruction set of the inner loops, see
             :func:`pyemtr.kernel_name`.
+        confidence: held probability, 0 to 1, that the pose is right within 5 degrees and 0.06
+            radii. NaN without candidates (preset "paper"), as the four below.
+        score: ``fit - 2 violation``, at most 1.
+        fit: how well the surfaces lie on each other, 0 to 1 (best).
+        violation: share of points in front of what the other scan saw, 0 (best) to 1.
+        score_gap: score minus that of the best clearly different candidate.
+        seeds: poses that consistent matches gave; candidates: distinct poses ranked.
+        escalated: True when it was searched again with more feature points; refined: True when
+            the answer was polished on fine clouds.
+        alternatives: of :class:`pyemtr.Alternative`, best first, at most 10.
+        information: float64 (6, 6), inverse of the pose's covariance for a small rotation w
+            (radians) and then a shift v (the user's unit) about ``center_target`` c:
+            q = exp(w) (R p + t - c) + c + v. NaN when not refined, as the two below.
+        hold: float64 (6,), how firmly the matched surfaces hold the pose, ascending: 0 for a
+            motion that slides them along themselves, to about 1.
+        hold_directions: float64 (6, 6), a unit vector a row, by rows of ``hold``: rotation,
+            measured as the way at the surfaces' radius, then shift.
+        free_directions: how many are not held; None when not refined.
         settings: every setting, as keyword arguments that repeat the run:
             ``register(source, target, **result.settings)``.
     """
@@ -76,6 +96,20 @@ class Result:
     seed: int
     threads: int
     kernel: str
+    confidence: float
+    score: float
+    fit: float
+    violation: float
+    score_gap: float
+    seeds: int
+    candidates: int
+    escalated: bool
+    refined: bool
+    alternatives: list[Alternative]
+    information: Floats
+    hold: Floats
+    hold_directions: Floats
+    free_directions: int | None
     settings: dict[str, Any]
 
     def apply(self, points: Any) -> Floats:
@@ -87,7 +121,8 @@ class Result:
         return np.asarray(source @ self.transformation[:3, :3].T + self.transformation[:3, 3])
 
     def to_dict(self) -> dict[str, Any]:
-        """All fields as JSON knows them: lists for arrays, None for NaN and infinities."""
+        """All fields as JSON knows them: lists for arrays, None for NaN and infinities, a dict
+        with "transformation" and "score" for each alternative."""
         return {field.name: _json(getattr(self, field.name)) for field in fields(self)}
 
     def __repr__(self) -> str:
@@ -95,7 +130,7 @@ class Result:
         rows = np.array2string(self.transformation, precision=6, suppress_small=True,
                                prefix="    ")
         return (
-            f"<pyemtr.Result: {verdict}\n"
+            f"<pyemtr.Result: {verdict}{self._confidence_text()}\n"
             f"  fitness {self.fitness:.4f}, mode gap {self.mode_gap:.4f},"
             f" inlier rmse {self.inlier_rmse:.4g}\n"
             f"  inliers {self.inlier_ratio_source:.1%} of the source,"
@@ -104,13 +139,23 @@ class Result:
             f"  {self.iterations} iterations, seed {self.seed}, {self.threads} threads,"
             f" {self.kernel}, {self.timings['total']:.3f} s>")
 
+    def _confidence_text(self) -> str:
+        if math.isnan(self.confidence):
+            return ""
+        return f", confidence {self.confidence:.1%}"
+
 
 def make_result(raw: Mapping[str, Any], settings: dict[str, Any]) -> Result:
     """A Result from the extension's fields."""
     values = dict(raw)
-    values["transformation"] = _vector(raw["transformation"]).reshape(4, 4)
+    values["transformation"] = _matrix(raw["transformation"], 4)
     values["center_source"] = _vector(raw["center_source"])
     values["center_target"] = _vector(raw["center_target"])
+    values["alternatives"] = [Alternative(_matrix(pose, 4), score)
+                              for pose, score in raw["alternatives"]]
+    values["information"] = _matrix(raw["information"], 6)
+    values["hold"] = _vector(raw["hold"])
+    values["hold_directions"] = _matrix(raw["hold_directions"], 6)
     values["history"] = {task: _vector(best) for task, best in raw["history"].items()}
     return Result(settings=settings, **values)
 
@@ -119,9 +164,15 @@ def _vector(values: Any) -> NDArray[np.float64]:
     return np.array(values, dtype=np.float64)
 
 
+def _matrix(values: Any, rows: int) -> NDArray[np.float64]:
+    return _vector(values).reshape(rows, rows)
+
+
 def _json(value: Any) -> Any:
     if isinstance(value, np.ndarray):
         return _json(value.tolist())
+    if isinstance(value, Alternative):
+        return _json(value._asdict())
     if isinstance(value, dict):
         return {key: _json(item) for key, item in value.items()}
     if isinstance(value, list):

@@ -55,7 +55,7 @@ cdef class Settings:
         """16 numbers, row-major, or None."""
         if not self.values.has_guess:
             return None
-        return [self.values.guess[i] for i in range(16)]
+        return listed(self.values.guess, 16)
 
     @guess.setter
     def guess(self, const double[::1] value):
@@ -64,3 +64,39 @@ cdef class Settings:
         for i in range(16):
             self.values.guess[i] = value[i]
         self.values.has_guess = 1
+
+    @property
+    def viewpoint_source(self):
+        """3 numbers, or None."""
+        if not self.values.has_viewpoint_source:
+            return None
+        return listed(self.values.viewpoint_source, 3)
+
+    @viewpoint_source.setter
+    def viewpoint_source(self, const double[::1] value):
+        place(value, self.values.viewpoint_source)
+        self.values.has_viewpoint_source = 1
+
+    @property
+    def viewpoint_target(self):
+        """3 numbers, or None."""
+        if not self.values.has_viewpoint_target:
+            return None
+        return listed(self.values.viewpoint_target, 3)
+
+    @viewpoint_target.setter
+    def viewpoint_target(self, const double[::1] value):
+        place(value, self.values.viewpoint_target)
+        self.values.has_viewpoint_target = 1
+
+
+cdef list listed(const double* values, size_t count):
+    return [values[i] for i in range(count)]
+
+
+cdef int place(const double[::1] value, double* point) except -1:
+    if value.shape[0] != 3:
+        raise ValueError("a viewpoint: 3 numbers are expected")
+    for i in range(3):
+        point[i] = value[i]
+    return 0

@@ -20,7 +20,7 @@ class TaskAlpha:
         source_or_problem: a :class:`Problem`, or a source cloud with ``target`` beside it.
         target: the target cloud; None with a Problem.
         stage: "dense" (both directions) or "sparse" (source to target only).
-        **settings: of a new Problem (seed, threads, preset, guess and any setting).
+        **settings: of a new Problem (all of :func:`pyemtr.register` but callback).
     """
 
     def __init__(self, source_or_problem: Any, target: Any = None, stage: str = "dense",

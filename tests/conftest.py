@@ -39,3 +39,11 @@ def problem(pair):
     import pyemtr
 
     return pyemtr.Problem(pair.source, pair.target, threads=2)
+
+
+@pytest.fixture(scope="session")
+def paper_problem(pair):
+    """The same with the settings of the published method."""
+    import pyemtr
+
+    return pyemtr.Problem(pair.source, pair.target, preset="paper", threads=2)

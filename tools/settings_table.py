@@ -10,6 +10,7 @@ import os
 from pathlib import Path
 
 import pyemtr
+from pyemtr.options import Value, make_settings, settings_used
 
 README = Path(__file__).resolve().parent.parent / "README.md"
 BEGIN, END = "<!-- settings: begin -->", "<!-- settings: end -->"
@@ -19,23 +20,34 @@ def number(value: float) -> str:
     return f"{value:.10g}"
 
 
-def row(setting: pyemtr.Setting) -> str:
+def shown(setting: pyemtr.Setting, value: Value) -> str:
+    if setting.type == "switch":
+        return "on" if value else "off"
+    return number(float(value)) if setting.type == "real" else str(value)
+
+
+def span(setting: pyemtr.Setting) -> str:
     if setting.name == "seed":  # beyond what a C double holds exactly
-        value, span = str(setting.default), "0 to 2^64 - 1"
-    elif setting.choices:
-        value, span = str(setting.default), ", ".join(setting.choices)
-    elif setting.type == "switch":
-        value, span = ("on" if setting.default else "off"), "on, off"
-    else:
-        value = number(float(setting.default))
-        span = f"{number(setting.minimum)} to {number(setting.maximum)}"
-    cells = (f"`{setting.name}`", value, setting.unit, span, setting.part, setting.text)
-    return "| " + " | ".join(cells) + " |"
+        return "0 to 2^64 - 1"
+    if setting.choices:
+        return ", ".join(setting.choices)
+    if setting.type == "switch":
+        return "on, off"
+    return f"{number(setting.minimum)} to {number(setting.maximum)}"
 
 
 def table() -> str:
-    head = ["| name | `paper` | unit | range | part of the method | meaning |", "|---|---|---|---|---|---|"]
-    return "\n".join(head + [row(s) for s in pyemtr.settings().values()])
+    presets = {name: settings_used(make_settings(0, 0, name, None, {}))
+               for name in pyemtr.presets()}
+    names = " | ".join(f"`{name}`" for name in presets)
+    lines = [f"| name | {names} | unit | range | part | meaning |", "|---" * (5 + len(presets)) + "|"]
+    for s in pyemtr.settings().values():
+        standard = shown(s, s.default)
+        values = [shown(s, used[s.name]) for used in presets.values()]
+        # What a preset leaves as it is stays blank, so that its own values stand out.
+        cells = [values[0], *("" if v == standard else v for v in values[1:])]
+        lines.append("| " + " | ".join((f"`{s.name}`", *cells, s.unit, span(s), s.part, s.text)) + " |")
+    return "\n".join(lines)
 
 
 def replaced(text: str) -> str:

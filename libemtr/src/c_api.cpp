@@ -85,13 +85,9 @@ emtr::OnProgress progress_function(emtr_progress_fn progress, void* user) {
 emtr_problem& checked(emtr_problem* problem) { return required(problem, "problem"); }
 const emtr_problem& checked(const emtr_problem* problem) { return required(problem, "problem"); }
 
-/// Beyond this a translation has no digits left in the floats that the clouds are made of.
-constexpr double kFarthest = 1e6;
-
-void require_sane(const double* values, std::size_t count, const std::string& name) {
-  for (std::size_t i = 0; i < count; ++i)
-    if (!(std::abs(values[i]) <= kFarthest))
-      throw emtr::Error(EMTR_ERROR_ARGUMENT, name + ": not finite or beyond 1e6");
+void require_near(const double* values, std::size_t count, const char* name) {
+  if (!emtr::is_near(values, count))
+    throw emtr::Error(EMTR_ERROR_ARGUMENT, std::string(name) + ": not finite or beyond 1e6");
 }
 
 /// Scores n particles of `genes` numbers in parallel, on the problem's own count of threads.
@@ -102,7 +98,9 @@ void evaluate_all(const emtr_problem& problem, const double* particles, std::siz
   required(particles, "particles");
   required(fitness, "fitness");
   for (std::size_t i = 0; i < n; ++i)
-    require_sane(particles + genes * i, genes, "particles: row " + std::to_string(i));
+    if (!emtr::is_near(particles + genes * i, genes))
+      throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                        "particles: row " + std::to_string(i) + ": not finite or beyond 1e6");
   const int threads = emtr::thread_count(problem.settings);
   std::vector<emtr::TaskAlpha::Scratch> scratch(static_cast<std::size_t>(threads));
   emtr::Team::with(threads, [&](emtr::Team& team) {
@@ -311,7 +309,7 @@ emtr_status emtr_complement(emtr_problem* problem, const double angles[3], doubl
   return guarded([&] {
     emtr_problem& p = checked(problem);
     double R[9];
-    require_sane(&required(angles, "angles"), 3, "angles");
+    require_near(&required(angles, "angles"), 3, "angles");
     emtr::euler_to_rotation(angles, R);
     p.complement->translation(R, &required(translation, "translation"));
     p.lookups += p.complement->lookups();
@@ -321,7 +319,7 @@ emtr_status emtr_complement(emtr_problem* problem, const double angles[3], doubl
 emtr_status emtr_particle_to_transformation(const emtr_problem* problem, const double particle[6],
                                             double T[16]) {
   return guarded([&] {
-    require_sane(&required(particle, "particle"), 6, "particle");
+    require_near(&required(particle, "particle"), 6, "particle");
     const emtr::Rigid pose = checked(problem).frame.to_user(emtr::decode(particle));
     emtr::to_matrix(pose, &required(T, "transformation"));
   });

@@ -12,7 +12,6 @@ namespace emtr {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFarthest = 1e6;  // radii; beyond, floats of the clouds have no digits left
 
 }  // namespace
 
@@ -113,10 +112,9 @@ void Registration::describe_problem() {
 std::vector<Rigid> Registration::guess() const {
   if (!settings_.has_guess) return {};
   const Rigid pose = problem_.frame.to_normalised(from_matrix(settings_.guess));
-  for (const double offset : pose.t)
-    if (!(std::abs(offset) <= kFarthest))
-      throw Error(EMTR_ERROR_SETTING,
-                  "setting 'guess' moves the source a million radii past the target");
+  if (!is_near(pose.t, 3))
+    throw Error(EMTR_ERROR_SETTING,
+                "setting 'guess' moves the source a million radii past the target");
   return {pose};
 }
 
@@ -159,7 +157,8 @@ void Registration::rank(const Evolution& evolution) {
 
 void Registration::settle() {
   answer_ = search_->ranked().front().pose;
-  standing_ = stand(search_->ranked());
+  standing_ = stand(search_->ranked(), problem_.densities.source_dense.size(),
+                    problem_.densities.target_dense.size());
 }
 
 bool Registration::unsure() const {

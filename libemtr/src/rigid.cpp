@@ -41,6 +41,11 @@ bool is_rigid(const double T[16]) {
   return determinant > 0 && last_row;
 }
 
+bool is_near(const double* values, std::size_t count) {
+  return std::all_of(values, values + count,
+                     [](double value) { return std::abs(value) <= kFarthest; });  // false for NaN
+}
+
 double rotation_distance(const double* Ra, const double* Rb) {
   double sum = 0;
   for (int i = 0; i < 9; ++i) sum += (Ra[i] - Rb[i]) * (Ra[i] - Rb[i]);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace emtr {
 
 /// q = R p + t. R row-major.
@@ -24,6 +26,13 @@ Rigid from_matrix(const double transformation[16]);
 /// Whether a row-major 4x4 is a rotation and a translation, to the precision in which people
 /// write such matrices down.
 bool is_rigid(const double transformation[16]);
+
+/// Beyond this a translation in the normalised frame has no digits left in the floats that the
+/// clouds are made of.
+constexpr double kFarthest = 1e6;
+
+/// Whether all are numbers no larger than that.
+bool is_near(const double* values, std::size_t count);
 
 /// Angle between two rotations in radians, exact for tiny angles too.
 double rotation_distance(const double* Ra, const double* Rb);

@@ -1,5 +1,5 @@
-// entries SOURCE.pcd TARGET.pcd THREADS SEED: the transformation by the class, twice with one
-// object, and by the C API, each 16 numbers in hexadecimal on a line of its own.
+// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET: the transformation by the class, twice with
+// one object, and by the C API, each 16 numbers in hexadecimal on a line of its own.
 #include <emtr/emtr.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/registration/emtr_ssc.h>
@@ -11,30 +11,38 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
+struct Chosen {
+  int threads;
+  unsigned long seed;
+  const char* preset;
+};
+
 void print(const double* T) {
   for (int i = 0; i < 16; ++i) std::printf("%a%c", T[i], i == 15 ? '\n' : ' ');
 }
 
-void by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, int threads, unsigned long seed) {
+bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& chosen) {
   pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ, double> registration;
   registration.setInputSource(source);
   registration.setInputTarget(target);
-  registration.setNumberOfThreads(static_cast<unsigned>(threads));
-  registration.setSeed(seed);
+  if (!registration.setPreset(chosen.preset)) return false;
+  registration.setNumberOfThreads(static_cast<unsigned>(chosen.threads));
+  registration.setSeed(chosen.seed);
   for (int twice = 0; twice < 2; ++twice) {
     Cloud aligned;
     registration.align(aligned);
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> T = registration.getFinalTransformation();
     print(T.data());
   }
+  return true;
 }
 
-int by_c(const Cloud& source, const Cloud& target, int threads, unsigned long seed) {
+int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen) {
   emtr_settings settings;
   emtr_result* result = nullptr;
-  if (emtr_settings_init(&settings, sizeof settings, "paper") != EMTR_OK) return 1;
-  settings.threads = threads;
-  settings.seed = seed;
+  if (emtr_settings_init(&settings, sizeof settings, chosen.preset) != EMTR_OK) return 1;
+  settings.threads = chosen.threads;
+  settings.seed = chosen.seed;
   const emtr_cloud from{&source[0].x, source.size(), sizeof source[0], EMTR_FLOAT32};
   const emtr_cloud to{&target[0].x, target.size(), sizeof target[0], EMTR_FLOAT32};
   if (emtr_register(&from, &to, &settings, nullptr, nullptr, &result) != EMTR_OK) {
@@ -50,10 +58,8 @@ int by_c(const Cloud& source, const Cloud& target, int threads, unsigned long se
 
 int main(int argc, char** argv) {
   auto source = pcl::make_shared<Cloud>(), target = pcl::make_shared<Cloud>();
-  if (argc != 5 || pcl::io::loadPCDFile(argv[1], *source) || pcl::io::loadPCDFile(argv[2], *target))
+  if (argc != 6 || pcl::io::loadPCDFile(argv[1], *source) || pcl::io::loadPCDFile(argv[2], *target))
     return 2;
-  const int threads = std::atoi(argv[3]);
-  const unsigned long seed = std::strtoul(argv[4], nullptr, 10);
-  by_class(source, target, threads, seed);
-  return by_c(*source, *target, threads, seed);
+  const Chosen chosen{std::atoi(argv[3]), std::strtoul(argv[4], nullptr, 10), argv[5]};
+  return by_class(source, target, chosen) ? by_c(*source, *target, chosen) : 2;
 }

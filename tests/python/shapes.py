@@ -63,6 +63,18 @@ def make_pair(seed: int, count: int = 9000, scale: float = 1.0, offset: float = 
     return Pair(source * scale, target, truth)
 
 
+def bits(result) -> bytes:
+    """Everything of a pyemtr.Result that the seed decides."""
+    poses = [alternative.transformation for alternative in result.alternatives]
+    arrays = [result.transformation, result.information, result.hold, result.hold_directions,
+              result.history["alpha"], result.history["beta"], *poses]
+    numbers = [result.fitness, result.inlier_ratio_source, result.inlier_ratio_target,
+               result.inlier_rmse, result.mode_gap, result.confidence, result.score, result.fit,
+               result.violation, result.score_gap, result.seeds, result.candidates,
+               *[alternative.score for alternative in result.alternatives]]
+    return b"".join(array.tobytes() for array in [*arrays, np.array(numbers, dtype=float)])
+
+
 def rotation_error(a: np.ndarray, b: np.ndarray) -> float:
     """Degrees between the rotations of two transformations; tiny angles keep their digits."""
     gap = np.linalg.norm(a[:3, :3] - b[:3, :3]) / (2 * np.sqrt(2))

@@ -28,8 +28,8 @@ def test_the_table_puts_ours_beside_the_papers(data, capsys):
     assert max(len(line) for line in output.splitlines()) <= 160
     hare = table_row(output, "hare")
     assert hare[1:4] == ["Bunny", "80.0", "80.0"]
-    assert hare[6] == "0.233±0.120" and hare[8] == "0.175±0.085" and hare[12] == "8.42"
-    assert hare[14:] == ["100.0", "100.0"]
+    assert hare[7] == "0.233±0.120" and hare[9] == "0.175±0.085" and hare[12] == "8.42"
+    assert hare[14:] == ["100.0", "100.0", "65.0"]
     assert table_row(output, "hall")[1] == "7a"
     assert table_row(output, "mean")[1:5] == ["2", "pairs", "80.0", "80.0"]
     paper = table_row(output, "  the paper's")
@@ -45,7 +45,7 @@ def test_columns_are_aligned(data, capsys):
     heads = next(line for line in lines if line.startswith("pair"))
     for name in ("hare", "duck", "mean", "  mean of paper"):
         line = next(line for line in lines if line.startswith(name))
-        for head in ("joint%", "median", "seconds", "rec%"):
+        for head in ("joint%", "+alt%", "median", "sec", "rec%", "conf%"):
             end = heads.index(head) + len(head)
             assert line[end - 1].strip() and not line[end : end + 1].strip(), (name, head)
 
@@ -75,8 +75,29 @@ def test_the_json_holds_every_run(data, tmp_path, capsys):
     assert value["pairs"][0]["crashed"] == 1
     assert value["pairs"][0]["paper"]["lookups"] == 8.42
     assert value["mean"]["success"] == pytest.approx(100 / 3)
-    assert value["options"]["preset"] == "paper" and value["emtr_version"] == "0.0.fake"
+    assert (good["confidence"], bad["confidence"]) == (0.75, 0.25)
+    assert value["mean"]["auc"] == 1.0 and value["unrelated"] == []
+    assert len(good["alternatives"]) == 1 and good["among_alternatives"] is False
+    assert value["options"]["preset"] == "default" and value["emtr_version"] == "0.0.fake"
     assert "CRASHED: 2 runs" in capsys.readouterr().out
+
+
+def test_the_footer_judges_the_verdict(data, capsys):
+    # Right: 0, 1 and 4. Of the spoiled, 2 is held right, and 3 has the truth as an alternative.
+    engine = FakeEngine(spoiled={2: (9.0, 0.0), 3: (9.0, 0.0)}, sure=(2,), aware=(2, 3))
+    assert accuracy.main(["--pair", "hare", "--transforms", "5"], engine) == 0
+    output = capsys.readouterr().out
+    assert table_row(output, "hare")[2:5] == ["60.0", "60.0", "80.0"]
+    assert "with the truth among the alternatives (+alt%): 80.0 %" in output
+    assert "precision 75.0 %, recall 100.0 %" in output
+    assert "ROC curve of the confidence 0.750" in output  # 3 of 3 above one, even with the other
+
+
+def test_without_candidates_there_is_no_confidence(data, capsys):
+    assert accuracy.main(["--preset", "paper", "--transforms", "2"], FakeEngine()) == 0
+    output = capsys.readouterr().out
+    assert table_row(output, "hare")[14:] == ["100.0", "100.0", "-"]
+    assert "curve of the confidence -" in output and "preset paper" in output
 
 
 def test_a_json_that_cannot_be_written_leaves_nothing(tmp_path):
@@ -102,7 +123,7 @@ def test_failures_say_whether_the_search_or_the_objective_failed(data, capsys):
 def test_require_asks_for_the_papers_marks(data, capsys):
     base = ["--transforms", "10", "--require"]
     assert accuracy.main(base, FakeEngine()) == 0
-    assert "paper's marks: met" in capsys.readouterr().out
+    assert "marks: met" in capsys.readouterr().out
     # 7 of 10 in each row: both the mean and the rows fall short.
     engine = FakeEngine(spoiled={i: (90.0, 0.0) for i in range(3)})
     assert accuracy.main(base, engine) == 1
@@ -140,6 +161,8 @@ def test_the_switch_comes_at_the_ceiling(fraction, first):
         (["--tier", "nice"], "--tier nice: no such tier"),
         (["--pair", "cow"], "--pair cow: no such pair"),
         (["--lookups", "--set", "sparse_to_dense=0"], "do not --set it"),
+        (["--lookups", "--unrelated", "2"], "no --unrelated"),
+        (["--unrelated", "99"], "--unrelated 99: the chosen pairs make 2 pairings"),
         (["--data", "/nowhere"], "no test data: /nowhere/MANIFEST.csv"),
         (["--smoke", "--tier", "nice"], "--tier nice: no such tier"),
     ],

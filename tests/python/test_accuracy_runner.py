@@ -1,6 +1,8 @@
 """Runs and their scores, against an engine whose answers are known."""
 
 import math
+from dataclasses import replace
+from types import SimpleNamespace
 
 import accuracy_fakes
 import numpy as np
@@ -8,6 +10,7 @@ import pytest
 from accuracy_fakes import FakeEngine, Options
 from emtr_bench import pairs, protocol, runner, summary
 from emtr_bench.paper_tables import ROWS, row_of
+from emtr_bench.sensors import sensors_known
 
 
 @pytest.fixture
@@ -34,7 +37,8 @@ def test_an_exact_engine_has_no_error(manifest):
 def test_run_i_has_seed_base_plus_i_and_the_moved_source(manifest):
     seen = []
 
-    def register(source, target, options):
+    def register(source, target, options, sensors):
+        assert sensors is None
         seen.append((source, target, options))
         return FakeEngine().register(source, target, options)
 
@@ -72,7 +76,7 @@ def test_a_crash_is_one_lost_run_and_keeps_its_traceback(manifest):
 
 
 def test_a_pose_of_nan_is_a_failure(manifest):
-    def register(source, target, options):
+    def register(source, target, options, sensors):
         outcome = FakeEngine().register(source, target, options)
         outcome.transformation[:] = np.nan
         return outcome
@@ -110,6 +114,53 @@ def test_a_row_sums_up_its_runs(manifest):
     assert f.precision == pytest.approx(200 / 3) and f.recall == pytest.approx(200 / 3)
     assert (f.switch, f.complement) == (pytest.approx(7e-6), pytest.approx(9e-6))
     assert f.evaluation == pytest.approx(0.196)
+
+
+def test_the_auc_is_the_share_of_pairs_in_order():
+    def run(confidence, joint):
+        return SimpleNamespace(confidence=confidence, joint=joint)
+
+    runs = [run(0.9, True), run(0.5, True), run(0.5, False), run(0.1, False), run(0.7, False)]
+    # Of six pairs 0.9 has all three, 0.5 one and a half.
+    assert summary.auc([*runs, run(math.nan, True)]) == pytest.approx(4.5 / 6)
+    assert summary.auc(runs[:1] + runs[3:4]) == 1.0
+    assert math.isnan(summary.auc(runs[:2])) and math.isnan(summary.auc([]))
+
+
+def test_only_an_ambiguous_run_is_excused_by_its_alternatives(manifest):
+    engine = FakeEngine(spoiled={0: (9.0, 0.0), 1: (9.0, 0.0), 2: (9.0, 0.0)}, sure=(1,),
+                        aware=(0, 1))
+    runs = run_all(manifest[:1], 4, engine)
+    assert [run.among for run in runs] == [True, True, False, False]
+    assert [run.joint_or_among for run in runs] == [True, False, False, True]
+
+
+NAMES = {"chef_01_05": "uwa", "trex_model_scene_rs1": "uwa", "chicken_sim": "uwa",
+         "kitti_05_00": "lidar", "kitchen_1_0_3dmatch": "threedmatch", "bunny_045_000": "stanford"}
+
+
+def test_where_the_sensors_stood_is_known_of_some(tmp_path):
+    found = [name for name, group in NAMES.items()
+             if sensors_known(pairs.Pair(name, "standard", tmp_path, group=group))]
+    assert found == ["chef_01_05", "kitti_05_00", "kitchen_1_0_3dmatch"]
+
+
+def test_the_sensors_move_with_the_scans(manifest):
+    pair = replace(manifest[0], group="lidar")
+    told = []
+
+    def register(source, target, options, sensors):
+        told.append((source, sensors))
+        return FakeEngine().register(source, target, options)
+
+    list(runner.run_all([pair, manifest[1]], 2, register, Options(viewpoints=True)))
+    assert [sensors is None for _, sensors in told] == [False, False, True, True]
+    raw = pairs.load(pair).source
+    for source, sensors in told[:2]:
+        np.testing.assert_allclose(np.linalg.norm(source - sensors.source, axis=1),
+                                   np.linalg.norm(raw, axis=1))
+        assert np.linalg.norm(sensors.source) > 1  # it has moved
+        np.testing.assert_array_equal(sensors.target, 0)
 
 
 def test_the_mean_weighs_pairs_alike_and_leaves_out_what_is_not_known(manifest):

@@ -14,13 +14,15 @@ import pyemtr
 import pytest
 from children import environment
 
-STAGES = ["frame", "densities", "features", "matching", "evolution", "verdict"]
+STAGES = ["frame", "densities", "features", "matching", "seeds", "evolution", "candidates",
+          "escalation", "refinement", "verdict"]
+ALL = {"iterations": 8, "threads": 2, "dense_points": 3000, "escalation": "always",
+       "escalation_points": 4000}  # quick, and through all stages
 
 
 def test_each_stage_and_iteration_is_told(pair):
     seen = []
-    result = pyemtr.register(pair.source, pair.target, iterations=8, threads=2,
-                             callback=seen.append)
+    result = pyemtr.register(pair.source, pair.target, callback=seen.append, **ALL)
     assert list(dict.fromkeys(step.stage for step in seen)) == STAGES
     evolution = [step for step in seen if step.stage == "evolution"]
     assert [step.iteration for step in evolution] == list(range(9))
@@ -30,20 +32,37 @@ def test_each_stage_and_iteration_is_told(pair):
     assert result.iterations == 8
 
 
+@pytest.mark.parametrize("changes, absent", [
+    ({"preset": "paper"}, {"seeds", "candidates", "escalation", "refinement"}),
+    ({"escalation": "off"}, {"escalation"}), ({"refine": False}, {"escalation", "refinement"}),
+    ({"candidates": 0}, {"candidates", "escalation"})])
+def test_a_stage_that_does_not_run_is_not_told(pair, changes, absent):
+    seen = []
+    result = pyemtr.register(pair.source, pair.target, iterations=8, threads=2,
+                             callback=seen.append, **changes)
+    told = list(dict.fromkeys(step.stage for step in seen))
+    assert told == [stage for stage in STAGES if stage not in absent]
+    assert [stage for stage in STAGES if result.timings[stage] == 0] == (
+        [stage for stage in STAGES if stage in absent])
+
+
 def test_watching_changes_no_bit(pair):
-    alone = pyemtr.register(pair.source, pair.target, iterations=8, threads=2)
-    watched = pyemtr.register(pair.source, pair.target, iterations=8, threads=2,
-                              callback=lambda progress: None)
+    alone = pyemtr.register(pair.source, pair.target, **ALL)
+    watched = pyemtr.register(pair.source, pair.target, callback=lambda progress: None, **ALL)
     assert alone.transformation.tobytes() == watched.transformation.tobytes()
 
 
 @pytest.mark.parametrize("stage", STAGES)
 def test_true_stops_at_any_stage(pair, stage):
-    result = pyemtr.register(pair.source, pair.target, iterations=8, threads=2,
+    result = pyemtr.register(pair.source, pair.target, **ALL,
                              callback=lambda progress: progress.stage == stage)
     assert result.reason == "interrupted" and not result.registered
-    assert result.iterations == (8 if stage == "verdict" else 0)
-    assert np.isnan(result.transformation).all() == (stage != "verdict")
+    done = STAGES[:STAGES.index(stage)]
+    assert result.iterations == (8 if "evolution" in done else 0)
+    assert np.isfinite(result.transformation).all() == ("evolution" in done)
+    assert np.isfinite(result.confidence) == ("candidates" in done)
+    assert result.escalated == ("escalation" in done)
+    assert result.refined == ("refinement" in done)
 
 
 def test_stopped_between_iterations_the_best_pose_so_far_is_given(pair):
@@ -71,7 +90,7 @@ def test_what_the_callback_raises_reaches_the_caller(pair, stage, error):
             raise error
 
     with pytest.raises(type(error)) as caught:
-        pyemtr.register(pair.source, pair.target, iterations=8, threads=2, callback=callback)
+        pyemtr.register(pair.source, pair.target, callback=callback, **ALL)
     assert caught.value is error
     assert [step.stage for step in calls].count(stage) == 1  # it was not called again
 

@@ -7,16 +7,12 @@ import numpy as np
 import pyemtr
 import pytest
 import shapes
+from shapes import bits
 
 
 @pytest.fixture(scope="module")
 def cloud(pair):
     return pyemtr.Cloud(pair.target)
-
-
-def bits(result):
-    return (result.transformation.tobytes(), result.fitness, result.mode_gap, result.scale,
-            result.history["alpha"].tobytes(), result.history["beta"].tobytes())
 
 
 @pytest.mark.parametrize("prepared", ["source", "target", "both"])

@@ -24,22 +24,23 @@ def mutual(distances):
     return found
 
 
-@pytest.mark.parametrize("max_tims", [100000, 1000])
-def test_correspondences_are_mutual_nearest(pair, max_tims):
-    problem = pyemtr.Problem(pair.source, pair.target, max_tims=max_tims, threads=2)
+@pytest.mark.parametrize("preset, most", [("paper", 5000), ("paper", 45), ("default", 500)])
+def test_correspondences_are_mutual_nearest(pair, preset, most):
+    problem = pyemtr.Problem(pair.source, pair.target, preset=preset, max_correspondences=most,
+                             threads=2)
     distances = feature_distances(problem)
     rows = problem.correspondences
     count = len(rows)
-    assert len(np.unique(rows, axis=0)) == count and count * (count - 1) // 2 <= max_tims
+    assert len(np.unique(rows, axis=0)) == count <= most
 
     eps = 1e-3  # FPFH entries reach 100 in float32
     given = distances[rows[:, 0], rows[:, 1]]
+    assert np.all(np.diff(given) >= -eps)  # the best come first
     assert np.all(given <= distances[rows[:, 0]].min(axis=1) + eps)
     assert np.all(given <= distances[:, rows[:, 1]].min(axis=0) + eps)
 
     pairs = {tuple(row) for row in rows.tolist()}
     clear = [(i, j, d) for i, j, d, margin in mutual(distances) if margin > eps]
-    most = int((1 + np.sqrt(1 + 8 * max_tims)) / 2)
     if len(clear) > most:  # capped: the best by feature distance
         assert count == most
         clear = [entry for entry in clear if entry[2] < given.max() - eps]
@@ -58,7 +59,8 @@ def test_most_descriptors_are_there_and_sum_up(problem):
 
 
 @pytest.mark.parametrize("side", ["source", "target"])
-def test_normals_are_the_least_principal_direction(problem, side):
+def test_normals_are_the_least_principal_direction(paper_problem, side):
+    problem = paper_problem
     cloud = getattr(problem, f"{side}_dense").astype(float)
     normals = getattr(problem, f"{side}_normals").astype(float)
     radius = problem.settings["normal_radius"] * problem.leaf_dense
@@ -76,7 +78,8 @@ def test_normals_are_the_least_principal_direction(problem, side):
 
 
 @pytest.mark.parametrize("side", ["source", "target"])
-def test_normals_are_oriented_to_the_centroid_consistently(problem, side):
+def test_normals_are_oriented_to_the_centroid_consistently(paper_problem, side):
+    problem = paper_problem
     cloud = getattr(problem, f"{side}_dense").astype(float)
     normals = getattr(problem, f"{side}_normals").astype(float)
     side_of = np.sign((normals * -cloud).sum(axis=1))

@@ -58,8 +58,12 @@ def test_scales_of_the_m_estimator(problem):
     assert problem.c_dense == pytest.approx(used["scale_dense"] * problem.leaf_dense, rel=1e-6)
 
 
-def test_tims_are_all_pairs_but_the_hopeless(problem):
-    rows = problem.correspondences
+@pytest.mark.parametrize("preset", ["paper", "default"])
+def test_tims_are_all_pairs_of_the_best_but_the_hopeless(request, preset):
+    problem = request.getfixturevalue("paper_problem" if preset == "paper" else "problem")
+    most = int((1 + np.sqrt(1 + 8 * problem.settings["max_tims"])) / 2)
+    rows = problem.correspondences[:most]
+    assert len(problem.correspondences) > most  # the cap is put to the test
     p, q = problem.source_dense[rows[:, 0]], problem.target_dense[rows[:, 1]]
     j, k = np.triu_indices(len(rows), 1)
     assert problem.tims == len(j)

@@ -14,7 +14,7 @@ CLOUD = np.random.default_rng(1).normal(size=(200, 3))
 
 
 def used(**changes):
-    return settings_used(make_settings(0, 0, "paper", None, changes))
+    return settings_used(make_settings(0, 0, "default", None, changes))
 
 
 def test_every_setting_is_described():
@@ -28,9 +28,20 @@ def test_every_setting_is_described():
     assert ALL["population"].default == 50 and isinstance(ALL["population"].default, int)
 
 
-def test_the_defaults_are_the_paper_preset():
-    assert "paper" in pyemtr.presets()
-    assert used() == {**{name: setting.default for name, setting in ALL.items()}, "guess": None}
+def test_the_defaults_are_the_default_preset():
+    assert pyemtr.presets() == ["default", "fast", "thorough", "paper"]
+    own = {"guess": None, "source_viewpoint": None, "target_viewpoint": None}
+    assert used() == {**{name: setting.default for name, setting in ALL.items()}, **own}
+    problem = pyemtr.Problem(CLOUD, CLOUD)
+    assert problem.settings == used()
+
+
+def test_the_paper_preset_is_the_method_as_published():
+    paper = settings_used(make_settings(0, 0, "paper", None, {}))
+    assert (paper["iterations"], paper["dense_points"], paper["sparse_points"]) == (100, 4000, 600)
+    assert paper["seeds"] == paper["injected_seeds"] == paper["candidates"] == 0
+    assert paper["escalation"] == "off" and paper["features"] == "pcl"
+    assert paper["refine"] is paper["free_space"] is False
 
 
 @settings(max_examples=300, deadline=None)
@@ -45,7 +56,7 @@ def test_a_value_in_range_is_kept_and_one_outside_is_refused(data, name):
     else:
         value = data.draw(st.integers(int(low), int(high)))
         outside = [int(low) - 1, int(high) + 1, 2**63, -(2**40)]
-    found = make_settings(0, 0, "paper", None, {name: value}).get(name)
+    found = make_settings(0, 0, "default", None, {name: value}).get(name)
     assert found == value
     with pytest.raises(ValueError, match=name):
         used(**{name: data.draw(st.sampled_from(outside))})
@@ -77,6 +88,8 @@ def test_an_unknown_setting_lists_close_ones():
         pyemtr.register(CLOUD, CLOUD, populaton=20)
     with pytest.raises(TypeError, match="pyemtr.settings"):
         pyemtr.Problem(CLOUD, CLOUD, xyzzy=1)
+    with pytest.raises(TypeError, match="did you mean source_viewpoint"):
+        pyemtr.register(CLOUD, CLOUD, source_viewpiont=[0, 0, 0])
 
 
 @pytest.mark.parametrize("arguments, error, text", [
@@ -90,6 +103,13 @@ def test_an_unknown_setting_lists_close_ones():
     ({"guess": np.full((4, 4), np.nan)}, ValueError, "guess"),
     ({"guess": 2 * np.eye(4)}, ValueError, "guess"),
     ({"guess": "identity"}, TypeError, "guess"),
+    ({"source_viewpoint": [1, 2]}, ValueError, r"source_viewpoint.*\(3,\).*\(2,\)"),
+    ({"target_viewpoint": np.zeros((1, 3))}, ValueError, r"target_viewpoint.*\(1, 3\)"),
+    ({"source_viewpoint": [0, np.nan, 0]}, ValueError, "source_viewpoint.*NaN"),
+    ({"target_viewpoint": [np.inf, 0, 0]}, ValueError, "target_viewpoint.*infinity"),
+    ({"source_viewpoint": "here"}, TypeError, "source_viewpoint"),
+    ({"target_viewpoint": [1j, 0, 0]}, TypeError, "target_viewpoint.*complex"),
+    ({"source_viewpoint": True}, TypeError, "source_viewpoint.*bool"),
     ({"callback": 3}, TypeError, "callback")])
 def test_bad_arguments_are_named(arguments, error, text):
     with pytest.raises(error, match=text):

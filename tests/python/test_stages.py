@@ -49,7 +49,7 @@ def test_shapes_belong_together(problem):
 
 def test_without_any_match_the_arrays_are_empty_but_whole(pair):
     other = pyemtr.Problem(pair.source, pair.target, tau_factor=0.001, inlier_threshold=0.001,
-                           max_tims=3, threads=2)
+                           max_tims=3, max_correspondences=3, threads=2)
     assert other.tims == 3 and len(other.correspondences) == 3
     assert other.tim_source.shape == (other.tims - other.tims_pruned, 3)
     assert other.evaluate_beta([[0, 0, 0]]) == pytest.approx(
@@ -78,16 +78,16 @@ def test_a_task_makes_its_own_problem(pair, problem):
     assert (beta.evaluate(particles[:, :3]).tobytes()
             == problem.evaluate_beta(particles[:, :3]).tobytes())
     assert alpha.problem.settings["threads"] == 1
-    np.testing.assert_array_equal(alpha.bounds[3:], [[-0.5, 0.5]] * 3)
+    np.testing.assert_array_equal(alpha.bounds[3:], [[-1.2, 1.2]] * 3)
     np.testing.assert_array_equal(beta.bounds, alpha.bounds[:3])
 
 
 def test_the_settings_reach_the_problem(pair):
     other = pyemtr.Problem(pair.source, pair.target, dense_points=1000, sparse_points=200,
-                           seed=2**64 - 1, translation_bound=1.2)
+                           seed=2**64 - 1, translation_bound=0.7)
     assert len(other.source_dense) + len(other.target_dense) == pytest.approx(1000, rel=0.05)
     assert other.settings["seed"] == 2**64 - 1
-    assert pyemtr.TaskAlpha(other).bounds[3].tolist() == [-1.2, 1.2]
+    assert pyemtr.TaskAlpha(other).bounds[3].tolist() == [-0.7, 0.7]
 
 
 def test_lookups_are_counted(problem):

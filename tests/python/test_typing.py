@@ -37,8 +37,9 @@ def test_a_typed_program_passes(tmp_path):
 
 
 def test_the_package_itself_passes(tmp_path):
-    modules = [f"pyemtr.{name}" for name in ("arrays", "cloud", "options", "problem", "progress",
-                                             "views", "registration", "result", "tasks", "_emtr")]
+    modules = [f"pyemtr.{name}" for name in ("alternative", "arrays", "cloud", "options", "problem",
+                                             "progress", "views", "registration", "result",
+                                             "tasks", "_emtr")]
     done = strict(tmp_path, "-m", "pyemtr", *[part for name in modules for part in ("-m", name)])
     assert done.returncode == 0, done.stdout
 
@@ -50,6 +51,8 @@ MISUSE = [
     "pyemtr.register(a)",
     "pyemtr.register(a, a).registred",
     "pyemtr.register(a, a).fitness.upper()",
+    "pyemtr.register(a, a).alternatives[0].pose",
+    "pyemtr.register(a, a).free_directions + 1",  # it may be None
     "pyemtr.Problem(a, a).source_dense.bogus",
     "pyemtr.TaskAlpha(a, a, stage=1)",
     "pyemtr.settings()['seed'].nothing",

@@ -23,6 +23,19 @@ def one_call(source: NDArray[np.float32], target: NDArray[np.float64]) -> NDArra
     return result.apply(source) if result.registered else result.transformation
 
 
+def how_sure(source: NDArray[np.float32], target: NDArray[np.float32]) -> list[float]:
+    result = pyemtr.register(source, target, preset="thorough", source_viewpoint=(0, 0, 1.5),
+                             target_viewpoint=np.zeros(3))
+    deviation: NDArray[np.float64] = np.sqrt(np.diag(np.linalg.inv(result.information)))
+    free: int = result.free_directions or 0
+    print(result.confidence > 0.9, result.seeds + result.candidates, result.escalated, free,
+          deviation.max(), result.hold.min(), result.hold_directions[:free])
+    others: list[pyemtr.Alternative] = result.alternatives
+    for transformation, score in others:
+        print(transformation.shape, result.score - score, result.score_gap)
+    return [other.score for other in others]
+
+
 def stage_by_stage(source: list[list[float]], target: NDArray[np.int16]) -> pyemtr.Result:
     problem = pyemtr.Problem(source, target, dense_points=1000)
     alpha = pyemtr.TaskAlpha(problem, stage="sparse")

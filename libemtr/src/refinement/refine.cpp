@@ -1,6 +1,7 @@
 #include "refine.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "../candidates/modes.h"
 #include "information.h"
@@ -11,19 +12,36 @@ namespace emtr {
 
 namespace {
 
-constexpr double kLeastSpacings = 2;  // a leaf; finer ones hold single points, without normals
-constexpr double kQueries = 5e4;      // look-ups of one polish, about
+constexpr double kLeastPoints = 2;  // a cube, on average; finer ones have no normals worth the name
+constexpr int kMostAttempts = 4;
+constexpr double kQueries = 5e4;  // look-ups of one polish, about
+
+struct FineSurfaces {
+  Surface source, target;
+};
+
+/// At the leaf asked for, or as fine as the sparser cloud allows.
+FineSurfaces fine_surfaces(const NormalisedPair& pair, double leaf) {
+  FineSurfaces out;
+  for (int attempt = 0;; ++attempt) {
+    out = {thin_surface(pair.source, leaf), thin_surface(pair.target, leaf)};
+    const auto filling = [](const Cloud& points, const Surface& surface) {
+      return static_cast<double>(points.size()) / static_cast<double>(surface.points.size());
+    };
+    const double least =
+        std::min(filling(pair.source, out.source), filling(pair.target, out.target));
+    if (least >= kLeastPoints || attempt == kMostAttempts) return out;
+    leaf *= std::sqrt(1.1 * kLeastPoints / least);
+  }
+}
 
 }  // namespace
 
 Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& settings,
                const Kernels& kernels) {
-  // Finer than its points are spaced a surface has no normals.
-  const double spacing = std::max(pair.prepared_source->spacing() * pair.prepared_source->radius,
-                                  pair.prepared_target->spacing() * pair.prepared_target->radius) /
-                         pair.frame.scale;
-  const double leaf = std::max(settings.refine_leaf, kLeastSpacings * spacing);
-  const Surface source = thin_surface(pair.source, leaf), target = thin_surface(pair.target, leaf);
+  const FineSurfaces fine = fine_surfaces(pair, settings.refine_leaf);
+  const Surface &source = fine.source, &target = fine.target;
+  const double leaf = source.leaf;
   const Polish polish;
   const auto reach = static_cast<float>(std::max(polish.first_scale, polish.reach) * leaf);
   const auto near = [&](const Surface& surface) {

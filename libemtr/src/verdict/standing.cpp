@@ -10,16 +10,25 @@ namespace {
 
 constexpr std::size_t kMostOthers = 10;
 constexpr std::size_t kFewMatches = 10;
-constexpr double kFits = 0.15;   // scores below it are reached by poses that mean nothing
-constexpr double kAsGood = 0.8;  // of the best score, to be another answer instead of a worse one
+// Scores below the first are reached by poses that mean nothing; another pose above it with this
+// share of the best score is another answer.
+constexpr double kFits = 0.15, kAsGood = 0.8;
+constexpr double kEvidence = 60;  // points that lie on the other cloud; fewer fit on any plane
 
-// A logistic model of "within 5 degrees and 0.06 radii", fitted to runs with and without their
-// right candidates.
-constexpr double kBias = -4, kOfScore = 10, kOfGap = 30;
+// A logistic model of "within 5 degrees and 0.06 radii" in the logarithms of score and gap, fitted
+// to registrations of real pairs, before and after an escalation, and to what remained when the
+// right candidates were taken away.
+constexpr double kBias = 19.1, kOfScore = 5.3, kOfGap = 2.05;
+constexpr double kLeast = 1e-3;  // of a score or gap, for its logarithm
+
+bool has_rival(const Candidate& best, const Standing& standing) {
+  if (standing.others.empty()) return false;
+  return standing.others.front().score > std::max(kFits, kAsGood * best.score);
+}
 
 }  // namespace
 
-Standing stand(const std::vector<Candidate>& ranked) {
+Standing stand(const std::vector<Candidate>& ranked, std::size_t source, std::size_t target) {
   Standing out;
   const Candidate& best = ranked.front();
   for (const Candidate& c : ranked) {
@@ -30,8 +39,14 @@ Standing stand(const std::vector<Candidate>& ranked) {
   }
   const double second = out.others.empty() ? 0 : std::max(0.0, out.others.front().score);
   out.gap = best.score - second;
-  out.confidence =
-      1 / (1 + std::exp(-(kBias + kOfScore * best.score + kOfGap * std::max(0.0, out.gap))));
+  const auto logarithm = [](double value) { return std::log(std::max(value, kLeast)); };
+  const double odds = kBias + kOfScore * logarithm(best.score) + kOfGap * logarithm(out.gap);
+  out.confidence = 1 / (1 + std::exp(-odds));
+  // What the model has not seen: a second answer as good, and next to no points to judge by.
+  if (has_rival(best, out)) out.confidence /= 2;
+  const double evidence = std::min(best.fit.inliers_source * static_cast<double>(source),
+                                   best.fit.inliers_target * static_cast<double>(target));
+  if (evidence < kEvidence) out.confidence *= evidence / kEvidence / 2;
   return out;
 }
 
@@ -39,10 +54,8 @@ emtr_reason reason(const Candidate& best, const Standing& standing, bool slides,
                    std::size_t correspondences, const Settings& settings) {
   if (standing.confidence >= settings.minimum_confidence)
     return slides ? EMTR_REASON_DEGENERATE : EMTR_REASON_REGISTERED;
-  if (correspondences < kFewMatches) return EMTR_REASON_FEW_MATCHES;
-  const bool rival = !standing.others.empty() && best.score > 0 &&
-                     standing.others.front().score > kAsGood * best.score;
-  return rival && best.score > kFits ? EMTR_REASON_AMBIGUOUS : EMTR_REASON_LOW_OVERLAP;
+  if (has_rival(best, standing)) return EMTR_REASON_AMBIGUOUS;
+  return correspondences < kFewMatches ? EMTR_REASON_FEW_MATCHES : EMTR_REASON_LOW_OVERLAP;
 }
 
 }  // namespace emtr

@@ -12,8 +12,8 @@ struct Standing {
   std::vector<Candidate> others;  ///< clearly different from the best and from each other
 };
 
-/// `ranked`: of a pool, best first, not empty.
-Standing stand(const std::vector<Candidate>& ranked);
+/// `ranked`: of a pool, best first, not empty. `source`, `target`: points of the surfaces.
+Standing stand(const std::vector<Candidate>& ranked, std::size_t source, std::size_t target);
 
 /// Why the best candidate is held to be right, or not. `slides`: the surfaces do not hold it in all
 /// directions. `correspondences`: how many matches there were.

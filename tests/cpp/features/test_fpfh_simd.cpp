@@ -50,7 +50,8 @@ void expect_agreement(const Cloud& cloud, const FeatureDefinition& definition) {
   for (const int part : {0, 1})
     EXPECT_LT(both.part_share(part), 0.02 + 1.2 * itself.part_share(part)) << part;
   EXPECT_LT(both.largest, 15);
-  EXPECT_LE(simd_itself.share(), 0.005 + itself.share());
+  EXPECT_LT(simd_itself.share(), 0.03);  // a few pairs of points on an edge between two bins
+  EXPECT_LT(simd_itself.part_share(2), 0.04);
 }
 
 void expect_the_same_matches(const Dense& d) {

@@ -167,7 +167,8 @@ TEST(Matching, AgreesWithTheKdTreeOfPcl) {
     std::vector<std::int32_t> out;
     pcl::Indices index(1);
     std::vector<float> distance(1);
-    for (const auto& query : *cloud(queries)) {
+    const auto asked = cloud(queries);
+    for (const auto& query : *asked) {
       tree.nearestKSearch(query, 1, index, distance);
       out.push_back(index[0]);
     }

@@ -24,6 +24,7 @@ class Pair {
   emtr_cloud target() const { return {pair_.target, pair_.count, 0, EMTR_FLOAT32}; }
   double error(const double T[16]) const { return bumpy_pair_error(&pair_, T); }
   const double* pose() const { return pair_.pose; }
+  double unit() const { return pair_.unit; }
 
  private:
   bumpy_pair pair_;

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from . import lookups, records, report, summary
+from . import lookups, pairings, records, report, summary, unrelated
 from .arguments import parser
 from .pairs import DataError, Pair, data_folder, read_manifest, select
-from .runner import Array, Options, Outcome, Run, run_all
+from .runner import Array, Options, Outcome, Run, Sensors, run_all
 from .sample import sample_pair
 
 SMOKE_PAIRS, SMOKE_TRANSFORMS = 2, 2
@@ -23,7 +23,9 @@ class Engine(Protocol):
 
     version: str
 
-    def register(self, source: Array, target: Array, options: Options) -> Outcome: ...
+    def register(
+        self, source: Array, target: Array, options: Options, sensors: Sensors | None
+    ) -> Outcome: ...
 
     def check(self, options: Options) -> None:
         """Raises ValueError, naming it, when the preset or a setting is unknown."""
@@ -35,6 +37,7 @@ class Engine(Protocol):
 @dataclass(frozen=True)
 class Plan:
     pairs: list[Pair]
+    pairings: list[pairings.Pairing]
     transforms: int
     jobs: int
     options: Options
@@ -47,7 +50,9 @@ def main(argv: list[str], engine: Engine) -> int:
         options = make_options(arguments, engine)
         with tempfile.TemporaryDirectory() as scratch:
             pairs, transforms = choose(arguments, Path(scratch))
-            return measure(Plan(pairs, transforms, arguments.jobs, options), arguments, engine)
+            apart = pairings.choose(pairs, arguments.unrelated)
+            plan = Plan(pairs, apart, transforms, arguments.jobs, options)
+            return measure(plan, arguments, engine)
     except DataError as error:
         print(f"accuracy: {error}", file=sys.stderr)
         return 2
@@ -57,7 +62,10 @@ def make_options(arguments: argparse.Namespace, engine: Engine) -> Options:
     settings = dict(arguments.set)
     if arguments.lookups and "sparse_to_dense" in settings:
         raise DataError("--lookups runs with and without sparse_to_dense: do not --set it")
-    options = Options(arguments.preset, arguments.seed, arguments.threads, settings)
+    if arguments.lookups and arguments.unrelated:
+        raise DataError("--lookups judges no pose: no --unrelated")
+    preset = arguments.preset or ("paper" if arguments.lookups else "default")
+    options = Options(preset, arguments.seed, arguments.threads, settings, arguments.viewpoints)
     try:
         engine.check(options)
     except ValueError as error:
@@ -85,8 +93,9 @@ def choose(arguments: argparse.Namespace, scratch: Path) -> tuple[list[Pair], in
 
 
 def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> int:
+    places = ", sensor positions given where known" if plan.options.viewpoints else ""
     print(f"preset {plan.options.preset}, {plan.transforms} transforms a pair, "
-          f"seeds {plan.options.seed}+, emtr {engine.version}")  # fmt: skip
+          f"seeds {plan.options.seed}+, emtr {engine.version}{places}")  # fmt: skip
     print(report.header(), flush=True)
     runs: list[Run] = []
     rows: list[summary.PairSummary] = []
@@ -103,17 +112,21 @@ def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) 
     average = summary.mean_figures(rows, runs)
     print(report.rule())
     print(report.mean_rows("mean", average, rows))
-    print(report.footer(runs, rows))
+    print(report.footer(runs, rows, average), flush=True)
+    others = list(unrelated.run_all(plan.pairings, engine.register, plan.options, plan.jobs))
+    if others:
+        print(unrelated.text(others))
     if arguments.failures:
         print(report.failures(runs, lambda run: engine.fitness(run, plan.options)))
     if arguments.json:
-        value = records.record(plan.options, engine.version, runs, rows, average)
+        value = records.record(plan.options, engine.version, runs, rows, average, others)
         records.write(arguments.json, value)
         print(f"wrote {arguments.json}")
-    missed = report.marks(rows)
+    missed = report.marks(rows) + unrelated.marks(others)
     if arguments.require:
-        print("paper's marks: " + ("; ".join(missed) if missed else "met"))
-    return int(any(run.error for run in runs) or bool(arguments.require and missed))
+        print("marks: " + ("; ".join(missed) if missed else "met"))
+    crashed = any(run.error for run in runs) or any(run.error for run in others)
+    return int(crashed or bool(arguments.require and missed))
 
 
 def check_lookups(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> int:

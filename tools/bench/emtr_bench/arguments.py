@@ -12,6 +12,7 @@ if TYPE_CHECKING:  # the command line is read before it is known that numpy is t
 EPILOG = """examples:
   accuracy --preset paper --tier paper            the paper's rows, 20 transforms each
   accuracy --tier all --transforms 4 --jobs 2     every pair, quicker
+  accuracy --tier all --unrelated 200             and scans that do not belong together
   accuracy --pair trex_03_01 --failures           one pair, and why runs failed
   accuracy --tier paper --lookups                 the cost against the paper's formula
 
@@ -28,7 +29,7 @@ def parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = made.add_argument
-    add("--preset", default="paper", help="preset of the library (default: paper)")
+    add("--preset", help="preset of the library (default: default; paper with --lookups)")
     add("--tier", action="append", nargs="+", metavar="TIER", help="tiers, or all (default: paper)")
     add("--pair", action="append", nargs="+", metavar="NAME", help="these pairs, whatever tier")
     add("--transforms", type=positive, default=20, metavar="N", help="motions a pair (default: 20)")
@@ -37,12 +38,17 @@ def parser() -> argparse.ArgumentParser:
         help="change a setting of the preset")  # fmt: skip
     add("--jobs", type=positive, default=1, help="processes side by side (default: 1)")
     add("--threads", type=natural, default=0, help="threads a process (default: 0, all)")
+    add("--viewpoints", action="store_true",
+        help="tell the library where the sensors stood, where it is known")  # fmt: skip
+    add("--unrelated", type=natural, default=0, metavar="N",
+        help="then N pairings of scans that do not belong together")  # fmt: skip
     add("--data", metavar="DIR", help="folder with MANIFEST.csv (default: EMTR_DATA)")
     add("--json", type=Path, metavar="FILE", help="write every run to FILE")
     add("--failures", action="store_true",
         help="list the runs that failed, and whether the search or the objective did")  # fmt: skip
     add("--lookups", action="store_true", help="check the look-ups instead of the accuracy")
-    add("--require", action="store_true", help="exit 1 when the pairs miss the paper's marks")
+    add("--require", action="store_true", help="exit 1 when the pairs miss the paper's marks, or "
+        "unrelated scans are called registered")  # fmt: skip
     add("--smoke", action="store_true",
         help="2 small pairs x 2 transforms; a generated pair where there are no data")  # fmt: skip
     return made

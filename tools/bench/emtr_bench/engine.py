@@ -7,13 +7,16 @@ from typing import Any
 import pyemtr
 from pyemtr.options import make_settings
 
-from .runner import Array, Options, Outcome, Run, moved
+from .runner import Array, Options, Outcome, Run, Sensors, moved
 
-QUALITY = ("fitness", "inlier_ratio_source", "inlier_ratio_target", "inlier_rmse", "mode_gap")
+QUALITY = (
+    "fitness", "inlier_ratio_source", "inlier_ratio_target", "inlier_rmse", "mode_gap",
+    "confidence", "score", "fit", "violation", "score_gap",
+)  # fmt: skip
 COUNTS = (
     "points_source", "points_target", "dropped_source", "dropped_target", "sparse_source",
     "sparse_target", "dense_source", "dense_target", "correspondences", "tims", "tims_pruned",
-    "iterations", "threads",
+    "iterations", "threads", "seeds", "candidates", "escalated", "refined", "free_directions",
 )  # fmt: skip
 
 
@@ -29,8 +32,13 @@ class PyemtrEngine:
         except TypeError as error:
             raise ValueError(str(error)) from error
 
-    def register(self, source: Array, target: Array, options: Options) -> Outcome:
-        result = pyemtr.register(source, target, **_keywords(options))
+    def register(
+        self, source: Array, target: Array, options: Options, sensors: Sensors | None
+    ) -> Outcome:
+        places: dict[str, Any] = {}
+        if sensors is not None:
+            places = {"source_viewpoint": sensors.source, "target_viewpoint": sensors.target}
+        result = pyemtr.register(source, target, **_keywords(options), **places)
         return Outcome(
             result.transformation,
             result.registered,
@@ -40,6 +48,7 @@ class PyemtrEngine:
             result.lookups,
             result.timings,
             result.settings,
+            [other.transformation for other in result.alternatives],
         )
 
     def fitness(self, run: Run, options: Options) -> tuple[float, float]:

@@ -87,4 +87,4 @@ def row(result: Check) -> str:
 def _register(pair: Pair, register: Register, options: Options, switch: int) -> Outcome:
     case = moved(pair, 0)
     settings = {**options.settings, "sparse_to_dense": switch}
-    return register(case.source, case.target, replace(options, settings=settings))
+    return register(case.source, case.target, replace(options, settings=settings), None)

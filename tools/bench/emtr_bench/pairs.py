@@ -32,6 +32,7 @@ class Pair:
     folder: Path
     paper_row: str = ""  # as the manifest has it, "" where the paper has no such row
     points: int = 0  # of both clouds, as the manifest says
+    group: str = ""  # where it comes from
 
 
 @dataclass(frozen=True)
@@ -125,6 +126,7 @@ def _pair(folder: Path, row: dict[str, str]) -> Pair:
         folder=folder / "pairs" / row["group"] / row["name"],
         paper_row=row["paper_row"],
         points=int(row["n_source"]) + int(row["n_target"]),
+        group=row["group"],
     )
 
 

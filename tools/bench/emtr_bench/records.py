@@ -11,12 +11,18 @@ from pathlib import Path
 from typing import Any
 
 from . import paper_tables
-from .runner import Options, Run
+from .runner import Options, Outcome, Run
 from .summary import Figures, PairSummary
+from .unrelated import Unrelated
 
 
 def record(
-    options: Options, version: str, runs: list[Run], rows: list[PairSummary], average: Figures
+    options: Options,
+    version: str,
+    runs: list[Run],
+    rows: list[PairSummary],
+    average: Figures,
+    unrelated: list[Unrelated],
 ) -> dict[str, Any]:
     """Everything, ready for JSON. Degrees, seconds, matrices source into target."""
     return {
@@ -37,6 +43,7 @@ def record(
         "mean": _figures(average),
         "pairs": [_row(row) for row in rows],
         "runs": [_run(run) for run in runs],
+        "unrelated": [_unrelated(run) for run in unrelated],
     }
 
 
@@ -64,19 +71,39 @@ def _run(run: Run) -> dict[str, Any]:
         "E_t": run.translation,
         "success": run.success,
         "joint": run.joint,
+        "among_alternatives": run.among,
         "wall_seconds": run.wall,
         "error": run.error or None,
     }
     if run.outcome is not None:
-        outcome = run.outcome
-        found["T_est"] = outcome.transformation.tolist()
-        found["registered"] = outcome.registered
-        found["reason"] = outcome.reason
-        found.update(outcome.quality)
-        found.update(outcome.counts)
-        found["lookups"] = outcome.lookups
-        found["seconds"] = outcome.seconds
+        found.update(_outcome(run.outcome))
     return found
+
+
+def _unrelated(run: Unrelated) -> dict[str, Any]:
+    found = {
+        "source": run.pairing.source.name,
+        "target": run.pairing.target.name,
+        "seed": run.seed,
+        "wall_seconds": run.wall,
+        "error": run.error or None,
+    }
+    if run.outcome is not None:
+        found.update(_outcome(run.outcome))
+    return found
+
+
+def _outcome(outcome: Outcome) -> dict[str, Any]:
+    return {
+        "T_est": outcome.transformation.tolist(),
+        "registered": outcome.registered,
+        "reason": outcome.reason,
+        **outcome.quality,
+        **outcome.counts,
+        "alternatives": [T.tolist() for T in outcome.alternatives],
+        "lookups": outcome.lookups,
+        "seconds": outcome.seconds,
+    }
 
 
 def _row(row: PairSummary) -> dict[str, Any]:

@@ -12,17 +12,17 @@ from .runner import Run
 from .summary import NOTHING, Figures, PairSummary, mean, percent
 
 #: Column widths; texts are left-aligned, figures right-aligned.
-_WIDTHS = (27, 10, 6, 7, 8, 12, 12, 12, 12, 7, 7, 7, 7, 8, 7, 7)
+_WIDTHS = (27, 10, 6, 7, 6, 8, 12, 12, 12, 12, 7, 7, 7, 7, 7, 6, 6)
 #: Title over the columns first to last.
 _GROUPS = (
-    (4, 6, "E_R, degrees"),
-    (7, 8, "E_t x 100"),
-    (9, 12, "look-ups, millions"),
-    (14, 15, "verdict"),
+    (5, 7, "E_R, degrees"),
+    (8, 9, "E_t x 100"),
+    (10, 12, "look-ups, millions"),
+    (14, 16, "verdict"),
 )
 _HEADS = (
-    "pair", "row", "succ%", "joint%", "median", "mean±std", "paper", "mean±std", "paper", "eval",
-    "switch", "compl", "paper", "seconds", "prec%", "rec%",
+    "pair", "row", "succ%", "joint%", "+alt%", "median", "mean±std", "paper", "mean±std", "paper",
+    "eval", "other", "paper", "sec", "prec%", "rec%", "conf%",
 )  # fmt: skip
 
 
@@ -55,20 +55,26 @@ def mean_rows(title: str, figures: Figures, rows: list[PairSummary]) -> str:
         translation = Spread(*(mean(p.translation[i] for p in published) for i in (0, 1)))
         lookups = mean(p.lookups for p in published)
         cells = ["  the paper's", f"{len(published)} rows", _number(paper_tables.MEAN_SUCCESS, 1)]
-        cells += ["", "", "", _spread(rotation), "", _spread(translation), "", "", ""]
-        cells += [_number(lookups, 2), _number(paper_tables.MEAN_SECONDS, 2), "", ""]
+        cells += ["", "", "", "", _spread(rotation), "", _spread(translation), "", ""]
+        cells += [_number(lookups, 2), _number(paper_tables.MEAN_SECONDS, 2), "", "", ""]
         lines.append(_line(cells))
     return "\n".join(lines)
 
 
-def footer(runs: list[Run], rows: list[PairSummary]) -> str:
+def footer(runs: list[Run], rows: list[PairSummary], average: Figures) -> str:
     lowest = min(rows, key=lambda row: row.figures.success)
     by_class = (f"{kind} {_class_success(runs, kind)}" for kind in CLASSES)
     lines = [
         f"lowest row: {lowest.name} {lowest.figures.success:.1f} % "
         f"(the paper's lowest: {paper_tables.LOWEST_SUCCESS:g} %)",
         "success: E_R < 5 degrees; joint: E_t < 0.06 too. Errors are over successes, E_t in the "
-        "normalised frame. Look-ups and seconds: means over runs.",
+        "normalised frame.",
+        "Look-ups (other: at the switch and of the complement) and seconds: means over runs.",
+        f"right, or ambiguous with the truth among the alternatives (+alt%): "
+        f"{_number(average.joint_or_among, 1)} %",
+        f"verdict over all runs: precision {_number(average.precision, 1)} %, recall "
+        f"{_number(average.recall, 1)} %, area under the ROC curve of the confidence "
+        f"{_number(average.auc, 3)}",
         "joint success by class of motion: " + ", ".join(by_class),
         _reasons(runs),
     ]
@@ -118,10 +124,12 @@ def _figures_line(
     name: str, short: str, f: Figures, rotation: Spread, translation: Spread, lookups: float
 ) -> str:
     cells = [name, short, _number(f.success, 1), _number(f.joint, 1)]
-    cells += [_number(f.median_rotation, 3), _spread(f.rotation), _spread(rotation)]
+    cells += [_number(f.joint_or_among, 1), _number(f.median_rotation, 3)]
+    cells += [_spread(f.rotation), _spread(rotation)]
     cells += [_spread(f.translation), _spread(translation)]
-    cells += [_number(v, 2) for v in (f.evaluation, f.switch, f.complement, lookups, f.seconds)]
-    cells += [_number(f.precision, 1), _number(f.recall, 1)]
+    other = f.switch + f.complement
+    cells += [_number(v, 2) for v in (f.evaluation, other, lookups, f.seconds)]
+    cells += [_number(v, 1) for v in (f.precision, f.recall, 100.0 * f.confidence)]
     return _line(cells)
 
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import functools
 import math
-import multiprocessing
 import time
 import traceback
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field, replace
 from typing import Any, Union
 
@@ -22,7 +20,9 @@ from pyemtr.metrics import (
 )
 
 from . import protocol
+from .jobs import side_by_side
 from .pairs import Clouds, Pair, load
+from .sensors import sensors_known
 
 Array = NDArray[np.float64]
 Setting = Union[int, float, str]
@@ -32,10 +32,11 @@ Setting = Union[int, float, str]
 class Options:
     """How to register; the same for every run but the seed, which is base seed + index."""
 
-    preset: str = "paper"
+    preset: str = "default"
     seed: int = 0
     threads: int = 0
     settings: dict[str, Setting] = field(default_factory=dict)
+    viewpoints: bool = False  # tell where the sensors stood, of the pairs where it is known
 
 
 @dataclass(frozen=True)
@@ -50,10 +51,19 @@ class Outcome:
     lookups: dict[str, int]  # evaluation, switch, complement
     seconds: dict[str, float]  # by stage, as the library measured
     settings: dict[str, Any]  # all of them, as the library held them
+    alternatives: list[Array] = field(default_factory=list)  # other poses, best first
 
 
-#: (source (n, 3), target (m, 3), options with the run's own seed) -> outcome
-Register = Callable[[Array, Array, Options], Outcome]
+@dataclass(frozen=True)
+class Sensors:
+    """Where those of a run stood, each (3,) in its cloud's own frame and unit."""
+
+    source: Array
+    target: Array
+
+
+#: (source (n, 3), target (m, 3), options with the run's own seed, sensors if known) -> outcome
+Register = Callable[[Array, Array, Options, Union[Sensors, None]], Outcome]
 
 
 @dataclass(frozen=True)
@@ -70,6 +80,7 @@ class Run:
     rotation: float  # degrees, NaN without a pose
     translation: float  # normalised frame, NaN without a pose
     error: str = ""
+    among: bool = False  # one of the alternatives is right
 
     @property
     def success(self) -> bool:
@@ -78,7 +89,18 @@ class Run:
 
     @property
     def joint(self) -> bool:
-        return self.success and self.translation < MAX_TRANSLATION_ERROR
+        return right((self.rotation, self.translation))
+
+    @property
+    def joint_or_among(self) -> bool:
+        """Right, or called ambiguous with the right pose among the alternatives."""
+        ambiguous = self.outcome is not None and self.outcome.reason == "ambiguous"
+        return self.joint or (ambiguous and self.among)
+
+    @property
+    def confidence(self) -> float:
+        """The library's; NaN when it gave none."""
+        return math.nan if self.outcome is None else self.outcome.quality["confidence"]
 
     @property
     def registered(self) -> bool:
@@ -93,12 +115,18 @@ class Moved:
     target: Array
     motion: protocol.Motion
     scale: float  # of the normalised frame, user's unit
+    sensors: Sensors | None = None  # when it is known where they stood
 
 
 def moved(pair: Pair, index: int) -> Moved:
     clouds, aligned, scale = _prepared(pair)
     motion = protocol.motion(pair.name, index, aligned)
-    return Moved(protocol.apply(motion.matrix, aligned), clouds.target, motion, scale)
+    sensors = None
+    if sensors_known(pair):
+        # At the origin of each scan's own coordinates; the source's moves with the source.
+        sensors = Sensors((motion.matrix @ clouds.T_gt)[:3, 3], np.zeros(3))
+    source = protocol.apply(motion.matrix, aligned)
+    return Moved(source, clouds.target, motion, scale, sensors)
 
 
 def pose_errors(case: Moved, T: Array) -> tuple[float, float]:
@@ -109,40 +137,49 @@ def pose_errors(case: Moved, T: Array) -> tuple[float, float]:
     return rotation_error(T, T_true), translation_error(T, T_true, center, case.scale)
 
 
+def right(errors: tuple[float, float]) -> bool:
+    """Whether both errors of a pose are small enough; never for NaN."""
+    return errors[0] < MAX_ROTATION_ERROR and errors[1] < MAX_TRANSLATION_ERROR
+
+
 def run(pair: Pair, index: int, register: Register, options: Options) -> Run:
     """One registration. An exception of the register function becomes a run with `error`,
     so that one crash does not lose the others; it is reported and fails the benchmark."""
     case = moved(pair, index)
     seed = options.seed + index
     own = replace(options, seed=seed)
-    outcome, error, rotation, translation = None, "", math.nan, math.nan
-    start = time.perf_counter()
-    try:
-        outcome = register(case.source, case.target, own)
-    except Exception:
-        error = traceback.format_exc()
-    wall = time.perf_counter() - start
+    sensors = case.sensors if options.viewpoints else None
+    outcome, error, wall = attempt(register, case.source, case.target, own, sensors)
+    rotation, translation, among = math.nan, math.nan, False
     if outcome is not None and np.isfinite(outcome.transformation).all():
         rotation, translation = pose_errors(case, outcome.transformation)
-    T_true = case.motion.T_true
+        among = any(right(pose_errors(case, T)) for T in outcome.alternatives)
+    T_true, kind = case.motion.T_true, case.motion.kind
     return Run(
-        pair, index, case.motion.kind, seed, T_true, wall, outcome, rotation, translation, error
+        pair, index, kind, seed, T_true, wall, outcome, rotation, translation, error, among
     )
+
+
+def attempt(
+    register: Register, source: Array, target: Array, options: Options, sensors: Sensors | None
+) -> tuple[Outcome | None, str, float]:
+    """The outcome or else the traceback, and the wall seconds."""
+    outcome, error = None, ""
+    start = time.perf_counter()
+    try:
+        outcome = register(source, target, options, sensors)
+    except Exception:
+        error = traceback.format_exc()
+    return outcome, error, time.perf_counter() - start
 
 
 def run_all(
     pairs: list[Pair], transforms: int, register: Register, options: Options, jobs: int = 1
 ) -> Iterator[Run]:
-    """Every pair x motion, in that order, as they are done. With several jobs each has a
-    process of its own, started afresh: no thread pool is inherited half alive."""
+    """Every pair x motion, in that order, as they are done."""
     tasks = [(pair, index) for pair in pairs for index in range(transforms)]
     work = functools.partial(_run_task, register=register, options=options)
-    if jobs == 1:
-        yield from map(work, tasks)
-        return
-    context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(jobs, mp_context=context) as pool:
-        yield from pool.map(work, tasks)
+    yield from side_by_side(work, tasks, jobs)
 
 
 def _run_task(task: tuple[Pair, int], register: Register, options: Options) -> Run:

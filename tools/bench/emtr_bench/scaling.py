@@ -20,7 +20,10 @@ from .records import write
 
 SIZES = (1000, 3000, 10000, 30000, 100000, 300000, 1000000, 3000000, 10000000)
 SMOKE_SIZES = (1000, 30000, 210000)  # the last is large enough to be thinned first
-STAGES = ("frame", "densities", "features", "matching", "evolution", "verdict")
+STAGES = (
+    "frame", "densities", "features", "matching", "seeds", "evolution", "candidates", "escalation",
+    "refinement", "verdict",
+)  # fmt: skip
 TOOLS = Path(__file__).resolve().parents[1]
 
 #: What the project promises for two clouds of ten million float32 points on two cores.
@@ -142,7 +145,7 @@ def targets_missed(rows: Sequence[dict[str, Any]], exponent: float) -> list[str]
 def header() -> str:
     names = "".join(f"{stage:>11}" for stage in STAGES)
     first = f"{'points':>10}{names}{'total':>9}{'kept':>9}{'input':>9}{'peak':>9}{'peak/':>8}"
-    units = f"{'a cloud':>10}{'ms':>11}{'ms':>11}{'ms':>11}{'ms':>11}{'ms':>11}{'ms':>11}"
+    units = f"{'a cloud':>10}" + len(STAGES) * f"{'ms':>11}"
     second = f"{units}{'s':>9}{'s':>9}{'MB':>9}{'MB':>9}{'input':>8}{'E_R':>8}"
     return "\n".join((first, second, "-" * len(second)))
 

@@ -7,6 +7,8 @@ import statistics
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+import numpy as np
+
 from .paper_tables import PaperRow, Spread, row_of
 from .runner import Run
 
@@ -28,6 +30,9 @@ class Figures:
     seconds: float  # wall, mean over runs
     precision: float  # percent of runs called registered that are joint successes
     recall: float  # percent of joint successes that were called registered
+    joint_or_among: float  # percent, joint, or ambiguous with the truth among the alternatives
+    confidence: float  # mean over runs that have one
+    auc: float  # chance that a joint success has more confidence than another run
 
 
 @dataclass(frozen=True)
@@ -71,6 +76,9 @@ def figures(runs: list[Run]) -> Figures:
         seconds=mean(run.wall for run in runs if not run.error),
         precision=precision,
         recall=recall,
+        joint_or_among=percent(run.joint_or_among for run in runs),
+        confidence=mean(c for run in runs if not math.isnan(c := run.confidence)),
+        auc=auc(runs),
     )
 
 
@@ -82,9 +90,22 @@ def verdict(runs: Iterable[Run]) -> tuple[float, float]:
     return precision, recall
 
 
+def auc(runs: Iterable[Run]) -> float:
+    """Area under the ROC curve of the confidence, 0.5 for one that knows nothing: the chance that
+    a right run has more of it than a wrong one, ties half. NaN without both kinds."""
+    known = [run for run in runs if not math.isnan(run.confidence)]
+    right = np.array([run.confidence for run in known if run.joint])
+    wrong = np.sort([run.confidence for run in known if not run.joint])
+    if not len(right) or not len(wrong):
+        return math.nan
+    below = [np.searchsorted(wrong, right, side) for side in ("left", "right")]
+    return float(np.mean(below)) / len(wrong)
+
+
 def mean_figures(rows: list[PairSummary], runs: Iterable[Run]) -> Figures:
     """The mean over rows, each pair with the same weight, leaving out what is NaN; the
     verdict is counted over all runs, for a pair alone may have none to judge it by."""
+    runs = list(runs)
 
     def single(name: str) -> float:
         return mean(v for r in rows if not math.isnan(v := getattr(r.figures, name)))
@@ -106,6 +127,9 @@ def mean_figures(rows: list[PairSummary], runs: Iterable[Run]) -> Figures:
         seconds=single("seconds"),
         precision=precision,
         recall=recall,
+        joint_or_among=single("joint_or_among"),
+        confidence=single("confidence"),
+        auc=auc(runs),
     )
 
 

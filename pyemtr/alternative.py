@@ -1,0 +1,19 @@
+"""Another pose that two clouds could be in."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from .arrays import Floats
+
+
+class Alternative(NamedTuple):
+    """A pose clearly different from the answer: over 10 degrees or 0.15 radii away.
+
+    Attributes:
+        transformation: float64 (4, 4), source into target, q = R p + t, in the user's unit.
+        score: as :attr:`pyemtr.Result.score`, and never more than the answer's.
+    """
+
+    transformation: Floats
+    score: float

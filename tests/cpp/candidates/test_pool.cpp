@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include "candidates/pool.h"
+#include "scene.h"
+
+namespace {
+
+using emtr::kCopy;
+using emtr::Rigid;
+using emtr::Team;
+using emtr::within;
+using emtr_test::anywhere;
+using emtr_test::same_bits;
+
+class Pool : public testing::Test {
+ protected:
+  static const emtr_test::Scene& scene() {
+    static const emtr_test::Scene one(31);
+    return one;
+  }
+  static const emtr::Surfaces& surfaces() {
+    static const emtr::Surfaces both(scene().source, scene().target, {}, {},
+                                     emtr::select_kernels());
+    return both;
+  }
+
+  static double quick(const Rigid& pose) {
+    emtr::Fit::Scratch scratch;
+    return surfaces().ranking().fit().evaluate(pose, emtr::Surfaces::kQuickStep, scratch).chf;
+  }
+
+  /// Good ones, copies of them, and many that are wrong.
+  static std::vector<Rigid> poses() {
+    std::vector<Rigid> out = anywhere(30, 7);
+    for (const double degrees : {0.0, 1.0, 2.0, 5.0, 9.0, 20.0})
+      out.push_back(scene().off({0, degrees, 0}, {0.002 * degrees, 0, 0}));
+    out.push_back(out[3]);
+    return out;
+  }
+
+  static std::vector<Rigid> shortlist(std::size_t most, int threads = 1) {
+    std::vector<Rigid> out;
+    Team::with(threads,
+               [&](Team& team) { out = emtr::Pool(surfaces()).shortlist(poses(), most, team); });
+    return out;
+  }
+
+  static void add(emtr::Pool& pool, const std::vector<Rigid>& some, int threads = 1) {
+    Team::with(threads, [&](Team& team) { pool.add(some, team); });
+  }
+};
+
+TEST_F(Pool, AShortlistIsOrderedByTheQuickFitAndHasNoCopies) {
+  const auto all = poses(), out = shortlist(all.size());
+  ASSERT_GT(out.size(), 25u);
+  EXPECT_TRUE(scene().solved(out.front()));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (i > 0) {
+      EXPECT_GE(quick(out[i - 1]), quick(out[i]));
+    }
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(within(out[i], out[j], kCopy));
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(),
+                            [&](const Rigid& pose) { return same_bits(pose, out[i]); }));
+  }
+}
+
+TEST_F(Pool, OnlyCopiesOfBetterOnesAreLeftOut) {
+  const auto out = shortlist(poses().size());
+  std::size_t left_out = 0;
+  for (const Rigid& pose : poses()) {
+    const auto is = [&](const Rigid& other) { return same_bits(pose, other); };
+    if (std::any_of(out.begin(), out.end(), is)) continue;
+    ++left_out;
+    EXPECT_TRUE(std::any_of(out.begin(), out.end(), [&](const Rigid& other) {
+      return within(pose, other, kCopy) && quick(other) >= quick(pose);
+    }));
+  }
+  EXPECT_GE(left_out, 2u);  // of the truth's copies, less than 3 degrees from it
+}
+
+TEST_F(Pool, AShorterListIsTheBeginningOfALongerOne) {
+  const auto five = shortlist(5), ten = shortlist(10);
+  ASSERT_EQ(five.size(), 5u);
+  ASSERT_EQ(ten.size(), 10u);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_TRUE(same_bits(five[i], ten[i]));
+  EXPECT_TRUE(shortlist(0).empty());
+}
+
+TEST_F(Pool, PolishesWhatItTakesIn) {
+  const Rigid start = scene().off({2, -2, 1}, {0.02, 0.01, -0.02});
+  emtr::Ranking::Scratch scratch;
+  const double before = surfaces().ranking().evaluate(start, scratch).score;
+  emtr::Pool pool(surfaces());
+  add(pool, {start});
+  ASSERT_EQ(pool.ranked().size(), 1u);
+  const emtr::Candidate& c = pool.ranked().front();
+  EXPECT_GT(c.score, before + 0.2);
+  EXPECT_LT(emtr_test::degrees_between(c.pose, scene().truth), 0.7);
+  EXPECT_LT(emtr_test::shift_between(c.pose, scene().truth), 0.01);
+}
+
+TEST_F(Pool, NoPoseIsMadeWorse) {
+  // Far from the truth the polish wanders, and part of it must be taken back.
+  std::size_t moved = 0, kept = 0;
+  for (const Rigid& start : anywhere(60, 11)) {
+    emtr::Pool pool(surfaces());
+    add(pool, {start});
+    const Rigid& pose = pool.ranked().front().pose;
+    EXPECT_GE(quick(pose), quick(start));
+    (same_bits(pose, start) ? kept : moved) += 1;
+  }
+  EXPECT_GT(moved, 0u);
+  EXPECT_GT(kept, 0u);
+}
+
+TEST_F(Pool, IsRankedByTheFineScoreAndDistinct) {
+  emtr::Pool pool(surfaces());
+  add(pool, poses());
+  const auto& ranked = pool.ranked();
+  ASSERT_GT(ranked.size(), 15u);
+  EXPECT_LT(ranked.size(), poses().size());
+  EXPECT_TRUE(scene().solved(ranked.front().pose));
+  emtr::Ranking::Scratch scratch;
+  for (std::size_t i = 0; i < ranked.size(); ++i) {
+    const auto value = surfaces().ranking().evaluate(ranked[i].pose, scratch);
+    EXPECT_EQ(ranked[i].score, value.score);
+    EXPECT_EQ(ranked[i].fit.chf, value.fit.chf);
+    EXPECT_EQ(ranked[i].violation, value.violation);
+    if (i > 0) {
+      EXPECT_GE(ranked[i - 1].score, ranked[i].score);
+    }
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(within(ranked[i].pose, ranked[j].pose, kCopy));
+  }
+}
+
+TEST_F(Pool, WhatComesLaterIsRankedAmongWhatIsThere) {
+  emtr::Pool pool(surfaces());
+  add(pool, anywhere(10, 3));
+  const double wrong = pool.ranked().front().score;
+  const std::size_t before = pool.ranked().size();
+  add(pool, {scene().off({1, 1, 1}, {0, 0, 0})});
+  EXPECT_EQ(pool.ranked().size(), before + 1);
+  EXPECT_TRUE(scene().solved(pool.ranked().front().pose));
+  EXPECT_GT(pool.ranked().front().score, wrong + 0.2);
+  EXPECT_EQ(pool.ranked()[1].score, wrong);
+  add(pool, {scene().off({-1, 1, 0}, {0.01, 0, 0})});  // it is there already
+  EXPECT_EQ(pool.ranked().size(), before + 1);
+  add(pool, {});
+  EXPECT_EQ(pool.ranked().size(), before + 1);
+}
+
+TEST_F(Pool, IsTheSameForAnyThreads) {
+  emtr::Pool one(surfaces());
+  add(one, poses(), 1);
+  const auto list = shortlist(12, 1);
+  for (const int threads : {2, 4}) {
+    const auto other_list = shortlist(12, threads);
+    ASSERT_EQ(list.size(), other_list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) EXPECT_TRUE(same_bits(list[i], other_list[i]));
+    emtr::Pool other(surfaces());
+    add(other, poses(), threads);
+    ASSERT_EQ(one.ranked().size(), other.ranked().size());
+    for (std::size_t i = 0; i < one.ranked().size(); ++i) {
+      EXPECT_TRUE(same_bits(one.ranked()[i].pose, other.ranked()[i].pose));
+      EXPECT_EQ(one.ranked()[i].score, other.ranked()[i].score);
+    }
+  }
+}
+
+}  // namespace

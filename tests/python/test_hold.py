@@ -1,0 +1,74 @@
+"""The information of a refined pose, and the directions in which the surfaces do not hold it."""
+
+import numpy as np
+import pyemtr
+import pytest
+import shapes
+
+
+@pytest.fixture(scope="module")
+def solved(pair):
+    return pyemtr.register(pair.source, pair.target, threads=2)
+
+
+def test_shapes_and_order(solved):
+    assert solved.information.shape == solved.hold_directions.shape == (6, 6)
+    assert solved.hold.shape == (6,)
+    np.testing.assert_allclose(solved.information, solved.information.T, rtol=1e-9)
+    assert np.linalg.eigvalsh(solved.information).min() > 0
+    assert 0 < solved.hold[0] <= solved.hold[-1] <= 1 and np.all(np.diff(solved.hold) >= 0)
+    np.testing.assert_allclose(solved.hold_directions @ solved.hold_directions.T, np.eye(6),
+                               atol=1e-9)
+    assert solved.free_directions == 0 and solved.refined
+
+
+def test_the_unit_of_the_information(pair, solved):
+    # Shifts of 1024 times as many units: exact in binary. Rotations stay as they are.
+    other = pyemtr.register(pair.source * 1024, pair.target * 1024, threads=2)
+    units = np.array([1, 1, 1, 1024, 1024, 1024])
+    np.testing.assert_allclose(other.information * np.outer(units, units), solved.information,
+                               rtol=1e-9)
+    np.testing.assert_array_equal(other.hold, solved.hold)
+
+
+def test_the_information_foretells_the_scatter_of_the_pose():
+    """Of a pair sampled anew again and again, in its own unit and in the order (w, v)."""
+    scale, count = 20.0, 24
+    errors, informations = [], []
+    for seed in range(count):
+        pair = shapes.make_pair(seed, 4000, scale=scale)
+        found = pyemtr.register(pair.source, pair.target, threads=2)
+        turn = found.transformation[:3, :3] @ pair.truth[:3, :3].T
+        # To the target's frame of the first motion, where the errors of all can be compared.
+        back = pair.truth[:3, :3].T
+        w = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0],
+                      turn[1, 0] - turn[0, 1]]) / 2
+        v = (shapes.apply(found.transformation, pair.source[:1])
+             - shapes.apply(pair.truth, pair.source[:1]))[0]
+        v -= np.cross(w, shapes.apply(pair.truth, pair.source[:1])[0] - found.center_target)
+        errors.append(np.concatenate([back @ w, back @ v]))
+        both = np.kron(np.eye(2), back)
+        informations.append(both @ found.information @ both.T)
+    foretold = np.sqrt(np.diag(np.linalg.inv(np.mean(informations, axis=0))))
+    seen = np.sqrt(np.mean(np.square(errors), axis=0))
+    ratio = seen / foretold  # of 24 pairs: known to a seventh
+    assert np.all((ratio > 0.6) & (ratio < 2)), ratio
+
+
+def test_a_ball_turns_as_it_likes():
+    rng = np.random.default_rng(2)
+    found = pyemtr.register(shapes.directions(rng, 8000), shapes.directions(rng, 8000), threads=2,
+                            minimum_confidence=0)
+    assert found.reason == "degenerate" and not found.registered
+    assert "slide or spin" in found.reason_text
+    assert found.free_directions == 3
+    assert found.hold[:3].max() < 0.01 < 0.1 < found.hold[3:].min()
+    assert np.abs(found.hold_directions[:3, 3:]).max() < 0.05  # the free ones are rotations
+
+
+def test_without_refinement_nothing_is_known(pair):
+    found = pyemtr.register(pair.source, pair.target, refine=False, threads=2)
+    assert found.refined is False and found.free_directions is None
+    for array in (found.information, found.hold, found.hold_directions):
+        assert np.isnan(array).all()
+    assert found.to_dict()["hold"] == [None] * 6 and found.confidence > 0.9
