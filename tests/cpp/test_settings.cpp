@@ -44,7 +44,7 @@ TEST(Settings, EveryRowStoresAndReadsBackItsOwnField) {
 TEST(Settings, RefusesWhatIsOutOfRange) {
   for (std::size_t i = 0; i < emtr::setting_count(); ++i) {
     const emtr_setting_info& info = emtr::setting(i).info;
-    Settings s = emtr::preset("paper");
+    Settings s = emtr::preset("default");
     for (const double value :
          {info.minimum - 1, info.maximum * 2 + 1, std::numeric_limits<double>::quiet_NaN(),
           std::numeric_limits<double>::infinity()})
@@ -58,14 +58,14 @@ TEST(Settings, RefusesWhatIsOutOfRange) {
 }
 
 TEST(Settings, RefusesUnknownNames) {
-  Settings s = emtr::preset("paper");
+  Settings s = emtr::preset("default");
   EXPECT_EQ(message_of([&] { emtr::set(s, "populaton", 3); }), "there is no setting 'populaton'");
   EXPECT_NE(message_of([] { emtr::preset("quick"); }).find("quick"), std::string::npos);
 }
 
 TEST(Settings, RefusesContradictions) {
   const auto refused = [](const char* a, double x, const char* b, double y) {
-    Settings s = emtr::preset("paper");
+    Settings s = emtr::preset("default");
     emtr::set(s, a, x);
     emtr::set(s, b, y);
     const std::string message = message_of([&] { emtr::validate(s); });
@@ -77,7 +77,7 @@ TEST(Settings, RefusesContradictions) {
 }
 
 TEST(Settings, RefusesAGuessThatIsNoRigidMotion) {
-  Settings s = emtr::preset("paper");
+  Settings s = emtr::preset("default");
   s.has_guess = 1;  // all zero
   EXPECT_NE(message_of([&] { emtr::validate(s); }).find("guess"), std::string::npos);
   for (int i = 0; i < 4; ++i) s.guess[5 * i] = 1;

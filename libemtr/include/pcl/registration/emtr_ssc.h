@@ -209,9 +209,6 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   static void fillViewpoint(const Eigen::Vector4f& sensor_origin, std::int32_t& known,
                             double (&position)[3]);
 
-  /** \brief False for a viewpoint that is known and not finite. */
-  static bool isFinite(std::int32_t known, const double (&position)[3]);
-
   /** \brief Of one point type: by the base class. */
   void alignAs(PointCloudSource& output, const Matrix4& guess, std::true_type);
 

@@ -95,12 +95,6 @@ void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::fillViewpoint(
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
-bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::isFinite(std::int32_t known,
-                                                                     const double (&position)[3]) {
-  return !known || Eigen::Vector3d::Map(position).allFinite();
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
 bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setSetting(const std::string& name,
                                                                        double value) {
   emtr_settings settings = getSettings();
@@ -215,11 +209,6 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointClo
   }
   fillViewpoint(input_->sensor_origin_, settings.has_viewpoint_source, settings.viewpoint_source);
   fillViewpoint(target_->sensor_origin_, settings.has_viewpoint_target, settings.viewpoint_target);
-  if (!isFinite(settings.has_viewpoint_source, settings.viewpoint_source))
-    error_message_ = "source: its viewpoint is not finite";
-  else if (!isFinite(settings.has_viewpoint_target, settings.viewpoint_target))
-    error_message_ = "target: its viewpoint is not finite";
-  if (!error_message_.empty()) return false;
   const auto start = std::chrono::steady_clock::now();
   const auto prepared_source = prepared_source_.of(source, "source", settings.threads);
   const auto prepared_target =
