@@ -126,11 +126,14 @@ const std::vector<Setting>& setting_table() {
       SETTING(refine_leaf, Real, "radii", 1e-3, 0.5, 0.015, "refinement", "leaf of the fine clouds",
               ""),
       SETTING(maximum_fitness, Real, "", 0, 1, 0.7, "verdict",
-              "registered only when the mean of rho over both dense clouds is at most this", ""),
+              "without candidates: registered only when the mean of rho over both dense clouds is "
+              "at most this",
+              ""),
       SETTING(minimum_mode_gap, Real, "", 0, 1, 0.05, "verdict",
-              "registered only when the next best other pose is worse by this", ""),
+              "without candidates: registered only when the next best other pose is worse by this",
+              ""),
       SETTING(minimum_confidence, Real, "", 0, 1, 0.5, "verdict",
-              "registered only when the confidence is at least this", ""),
+              "with candidates: registered only when the confidence is at least this", ""),
   };
   return rows;
 }

@@ -1,5 +1,6 @@
 #include "search.h"
 
+#include "../error.h"
 #include "escalation.h"
 
 namespace emtr {
@@ -55,6 +56,8 @@ Viewpoints CandidateSearch::viewpoints(const Surface& surface, bool given, const
   if (!given) return estimate_viewpoints(surface, kernels_);
   Viewpoint normalised;
   for (int a = 0; a < 3; ++a) normalised.at[a] = (at[a] - center[a]) / pair_.frame.scale;
+  if (!is_near(normalised.at, 3))
+    throw Error(EMTR_ERROR_SETTING, "a viewpoint lies a million radii away from its cloud");
   return given_viewpoint(surface, normalised, kernels_);
 }
 

@@ -13,6 +13,7 @@ constexpr std::size_t kFewMatches = 10;
 // Scores below the first are reached by poses that mean nothing; another pose above it with this
 // share of the best score is another answer.
 constexpr double kFits = 0.15, kAsGood = 0.8;
+constexpr double kWithRival = 0.4;
 constexpr double kEvidence = 60;  // points that lie on the other cloud; fewer fit on any plane
 
 // A logistic model of "within 5 degrees and 0.06 radii" in the logarithms of score and gap, fitted
@@ -43,10 +44,10 @@ Standing stand(const std::vector<Candidate>& ranked, std::size_t source, std::si
   const double odds = kBias + kOfScore * logarithm(best.score) + kOfGap * logarithm(out.gap);
   out.confidence = 1 / (1 + std::exp(-odds));
   // What the model has not seen: a second answer as good, and next to no points to judge by.
-  if (has_rival(best, out)) out.confidence /= 2;
+  if (has_rival(best, out)) out.confidence *= kWithRival;
   const double evidence = std::min(best.fit.inliers_source * static_cast<double>(source),
                                    best.fit.inliers_target * static_cast<double>(target));
-  if (evidence < kEvidence) out.confidence *= evidence / kEvidence / 2;
+  if (evidence < kEvidence) out.confidence *= kWithRival * evidence / kEvidence;
   return out;
 }
 
