@@ -170,7 +170,7 @@ TEST_F(Reason, FollowsTheConfidenceAskedFor) {
   EXPECT_EQ(reason({0.4, 0.3}), EMTR_REASON_REGISTERED);
   settings.minimum_confidence = std::nextafter(confidence, 1.0);
   EXPECT_EQ(reason({0.4, 0.3}), EMTR_REASON_LOW_OVERLAP);
-  settings.minimum_confidence = 0.4;  // who asks for less takes one of two that are as good
+  settings.minimum_confidence = 0.3;  // who asks for less takes one of two that are as good
   EXPECT_EQ(reason({0.7, 0.695}), EMTR_REASON_REGISTERED);
 }
 
