@@ -7,6 +7,7 @@
 #include "error.h"
 #include "features/kdtree_neighbors.h"
 #include "features/resolution.h"
+#include "parallel.h"
 #include "registration.h"
 #include "stopwatch.h"
 
@@ -72,18 +73,14 @@ void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress
   if (stop("matching")) return;
   watch.lap();
   match_features();
-  make_tasks();
+  // Neither needs the other, and both are mostly grids that one thread makes.
+  in_parallel(2, threads, [this](std::size_t i) { i == 0 ? make_tasks() : make_surfaces(); });
   seconds_.matching = watch.lap();
 
-  if (settings.seeds == 0 && settings.candidates == 0) return;
+  if (settings.seeds == 0) return;
   if (stop("seeds")) return;
   watch.lap();
   find_seeds();
-  if (settings.candidates > 0)
-    surfaces = std::make_unique<Surfaces>(
-        surface(densities.source_dense, source_features, densities.leaf_dense),
-        surface(densities.target_dense, target_features, densities.leaf_dense), Viewpoints{},
-        Viewpoints{}, kernels);
   seconds_.seeds = watch.lap();
 }
 
@@ -112,6 +109,14 @@ void Problem::find_seeds() {
                                 threshold, kernels, thread_count(settings));
   seeds = emtr::find_seeds(consistency, threshold, static_cast<std::size_t>(settings.seeds),
                            thread_count(settings));
+}
+
+void Problem::make_surfaces() {
+  if (settings.candidates == 0) return;
+  surfaces = std::make_unique<Surfaces>(
+      surface(densities.source_dense, source_features, densities.leaf_dense),
+      surface(densities.target_dense, target_features, densities.leaf_dense), Viewpoints{},
+      Viewpoints{}, kernels);
 }
 
 std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {

@@ -59,6 +59,7 @@ class Problem {
   void prepare(const Normalise& normalised, const OnProgress& on_progress);
   void match_features();
   void make_tasks();
+  void make_surfaces();
   void find_seeds();
 
   friend class Registration;

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "frame/parallel.h"
+#include "parallel.h"
 
 namespace {
 
