@@ -123,7 +123,7 @@ const std::vector<Setting>& setting_table() {
       SETTING(escalation_candidates, Integer, "poses", 1, 10000, 100, "escalation",
               "poses polished and ranked", ""),
       SETTING(refine, Switch, "", 0, 1, 1, "refinement", "polish the answer on fine clouds", ""),
-      SETTING(refine_leaf, Real, "radii", 1e-3, 0.5, 0.015, "refinement", "leaf of the fine clouds",
+      SETTING(refine_leaf, Real, "radii", 1e-3, 0.5, 0.01, "refinement", "leaf of the fine clouds",
               ""),
       SETTING(maximum_fitness, Real, "", 0, 1, 0.7, "verdict",
               "without candidates: registered only when the mean of rho over both dense clouds is "
@@ -151,7 +151,8 @@ const std::vector<Preset>& preset_table() {
         {"candidates", 6},
         {"escalation_points", 24000},
         {"escalation_seeds", 300},
-        {"escalation_candidates", 60}}},
+        {"escalation_candidates", 60},
+        {"refine_leaf", 0.015}}},
       {"thorough", {{"escalation", 2}}},
       // The method as published: the swarm alone, no seeds before it and no polish after it.
       {"paper",

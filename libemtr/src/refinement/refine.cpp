@@ -12,7 +12,7 @@ namespace emtr {
 
 namespace {
 
-constexpr double kLeastPoints = 2;  // a cube, on average; finer ones have no normals worth the name
+constexpr double kLeastPoints = 3;  // a cube, on average; finer ones have no normals worth the name
 constexpr int kMostAttempts = 4;
 constexpr double kQueries = 5e4;  // look-ups of one polish, about
 

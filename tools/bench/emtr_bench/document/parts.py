@@ -49,7 +49,7 @@ def all_parts(folder: Path, plot: Path, presets: list[str], smoke: bool) -> list
         if smoke:
             del parts[1:]
             break
-    peers = ("--tier", "all", "--transforms", "4", "--threads", THREADS)
+    peers = ("--tier", "paper", "standard", "--transforms", "2", "--threads", THREADS)
     counted = "--benchmark_out={} --benchmark_out_format=json"
     return [
         *parts,
