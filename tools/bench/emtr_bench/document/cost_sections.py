@@ -61,13 +61,25 @@ def scaling_section(value: dict[str, Any], plot: str) -> str:
 
 
 def neighbors_section(value: dict[str, Any]) -> str:
-    """Names are structure/poses/points; more than one repetition becomes its median."""
+    """Names are structure/poses/points, or structure/make/points; more than one repetition
+    becomes its median."""
+    parts = []
+    for text, counter in (
+        ("Nanoseconds a nearest neighbour look-up, one thread.", "look_up"),
+        ("Nanoseconds a point to make the structure, one thread.", "a_point"),
+    ):
+        chosen = [b for b in value["benchmarks"] if b["run_type"] == "iteration" and counter in b]
+        if chosen:
+            parts.append(text + "\n\n" + _by_structure(chosen, counter))
+    return "\n\n".join(parts)
+
+
+def _by_structure(benchmarks: list[dict[str, Any]], counter: str) -> str:
     found: dict[str, dict[str, list[float]]] = {}
-    for benchmark in value["benchmarks"]:
-        if benchmark["run_type"] == "iteration":
-            structure, case = benchmark["run_name"].split("/", 1)
-            seconds = found.setdefault(case, {}).setdefault(structure, [])
-            seconds.append(1e9 * benchmark["look_up"])
+    for benchmark in benchmarks:
+        structure, case = benchmark["run_name"].split("/", 1)
+        seconds = found.setdefault(case, {}).setdefault(structure, [])
+        seconds.append(1e9 * benchmark[counter])
     structures = list(dict.fromkeys(name for case in found.values() for name in case))
     rows = []
     for case, by_structure in found.items():
@@ -75,9 +87,7 @@ def neighbors_section(value: dict[str, Any]) -> str:
         cells = [number(quartiles_of(by_structure[name]).median, 1) if name in by_structure else ""
                  for name in structures]  # fmt: skip
         rows.append([points, poses, *cells])
-    return "Nanoseconds a nearest neighbour look-up, one thread.\n\n" + table(
-        ["points", "poses", *structures], rows
-    )
+    return table(["points", "poses", *structures], rows)
 
 
 def regress_section(value: dict[str, Any]) -> str:
