@@ -61,10 +61,7 @@ void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress
 
   if (stop("features")) return;
   watch.lap();
-  FeatureDefinition definition;
-  definition.normal_radius = settings.normal_radius * densities.leaf_dense;
-  definition.feature_radius = settings.feature_radius * densities.leaf_dense;
-  definition.backend = static_cast<FeatureBackend>(settings.features);
+  const FeatureDefinition definition = feature_definition(settings, densities.leaf_dense);
   const int threads = thread_count(settings);
   source_features = describe(densities.source_dense, definition, kernels, threads);
   target_features = describe(densities.target_dense, definition, kernels, threads);

@@ -12,9 +12,7 @@ constexpr int kNearest = 3;  // of each other, to be a match
 
 Features describe_towards(const Cloud& cloud, const Viewpoints& viewpoints, double leaf,
                           const Settings& settings, const Kernels& kernels, int threads) {
-  FeatureDefinition definition;
-  definition.normal_radius = settings.normal_radius * leaf;
-  definition.feature_radius = settings.feature_radius * leaf;
+  FeatureDefinition definition = feature_definition(settings, leaf);
   definition.backend = FeatureBackend::Simd;
   if (!viewpoints.candidates.empty())
     for (std::size_t a = 0; a < 3; ++a)

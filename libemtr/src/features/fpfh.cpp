@@ -6,6 +6,14 @@
 
 namespace emtr {
 
+FeatureDefinition feature_definition(const Settings& settings, double leaf) {
+  FeatureDefinition out;
+  out.normal_radius = settings.normal_radius * leaf;
+  out.feature_radius = settings.feature_radius * leaf;
+  out.backend = static_cast<FeatureBackend>(settings.features);
+  return out;
+}
+
 Features describe(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
                   int threads) {
   if (definition.backend == FeatureBackend::Simd)

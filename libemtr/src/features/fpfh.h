@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../cloud.h"
+#include "../settings.h"
 
 namespace emtr {
 
@@ -34,6 +35,9 @@ struct FeatureDefinition {
   std::array<float, 3> viewpoint = {0, 0, 0};  ///< normals point to it; the centroid by default
   FeatureBackend backend = FeatureBackend::Pcl;
 };
+
+/// What the settings ask for on a cloud thinned by that leaf.
+FeatureDefinition feature_definition(const Settings& settings, double leaf);
 
 /// Normals as of pcl::NormalEstimationOMP and descriptors as of pcl::FPFHEstimationOMP, the latter
 /// over the points that have a normal. The cloud is finite. The result does not depend on the
