@@ -2,7 +2,8 @@
 
 REASONS = {EMTR_REASON_REGISTERED: "registered", EMTR_REASON_LOW_OVERLAP: "low_overlap",
            EMTR_REASON_AMBIGUOUS: "ambiguous", EMTR_REASON_FEW_MATCHES: "few_matches",
-           EMTR_REASON_INTERRUPTED: "interrupted", EMTR_REASON_DEGENERATE: "degenerate"}
+           EMTR_REASON_INTERRUPTED: "interrupted", EMTR_REASON_DEGENERATE: "degenerate",
+           EMTR_REASON_TIME_LIMIT: "time_limit"}
 
 
 cdef dict fields(const emtr_result* r):

@@ -36,10 +36,11 @@ def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
             frame and unit. What it saw tells candidates apart: no surface is in front of it.
             None when not known; it is then estimated where it is needed.
         target_viewpoint: (3,), likewise of the target, in the target's frame and unit.
-        callback: called with a :class:`pyemtr.Progress` before each stage and after each
-            iteration. Return True to stop: the result then has the reason "interrupted". What
-            it raises stops the run and reaches the caller. Ctrl-C is looked at as often, with
-            or without a callback.
+        callback: called with a :class:`pyemtr.Progress` before each stage, after each
+            iteration, and again about every 20 ms while a stage lasts, with the same progress.
+            Return True to stop: the result then has the reason "interrupted" and the best pose
+            so far. What it raises stops the run and reaches the caller. Ctrl-C is looked at as
+            often, with or without a callback. It may register clouds itself.
         **settings: any of :func:`pyemtr.settings` by name.
 
     Returns:

@@ -25,60 +25,77 @@ std::unique_ptr<Neighbors> make_neighbors(int kind, const Cloud& cloud, float ra
 
 }  // namespace
 
+Problem::Problem(const Normalise& normalised, const Settings& s, Watch& watch)
+    : settings(s), kernels(select_kernels()) {
+  make(normalised, watch);
+}
+
 Problem::Problem(const emtr_cloud& source, const emtr_cloud& target, const Settings& s,
                  const OnProgress& on_progress)
     : settings(s), kernels(select_kernels()) {
-  validate(settings);
-  prepare([&] { return normalise(source, target, thread_count(settings)); }, on_progress);
+  Watch watch(on_progress);
+  make([&] { return normalise(source, target, thread_count(settings)); }, watch);
 }
 
 Problem::Problem(const PreparedCloudPtr& source, const PreparedCloudPtr& target, const Settings& s,
                  const OnProgress& on_progress)
     : settings(s), kernels(select_kernels()) {
-  validate(settings);
-  prepare([&] { return normalise(source, target); }, on_progress);
+  Watch watch(on_progress);
+  make([&] { return normalise(source, target); }, watch);
 }
 
-void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress) {
-  Stopwatch watch;
-  const auto stop = [&](const char* stage) {
-    return stopped_ = on_progress && on_progress({stage, 0, 0, 0, 0});
+void Problem::make(const Normalise& normalised, Watch& watch) {
+  validate(settings);
+  const Watched watched(&watch);
+  try {
+    prepare(normalised, watch);
+  } catch (const Stopped&) {
+    stopped_ = true;
+  }
+}
+
+void Problem::prepare(const Normalise& normalised, Watch& watch) {
+  const auto enter = [&](const char* stage) {
+    if (watch.tell({stage, 0, 0, 0, 0})) throw Stopped();
   };
 
-  if (stop("frame")) return;
-  watch.lap();
-  pair = normalised();
+  enter("frame");
+  {
+    const Timed timed(seconds_.frame);
+    pair = normalised();
+  }
   dropped_source = pair.prepared_source->dropped;
   dropped_target = pair.prepared_target->dropped;
   points_source = pair.prepared_source->count;
   points_target = pair.prepared_target->count;
-  seconds_.frame = watch.lap();
 
-  if (stop("densities")) return;
-  watch.lap();
-  densities = thin(pair, settings);
-  seconds_.densities = watch.lap();
+  enter("densities");
+  {
+    const Timed timed(seconds_.densities);
+    densities = thin(pair, settings);
+  }
 
-  if (stop("features")) return;
-  watch.lap();
-  const FeatureDefinition definition = feature_definition(settings, densities.leaf_dense);
+  enter("features");
   const int threads = thread_count(settings);
-  source_features = describe(densities.source_dense, definition, kernels, threads);
-  target_features = describe(densities.target_dense, definition, kernels, threads);
-  seconds_.features = watch.lap();
+  {
+    const Timed timed(seconds_.features);
+    const FeatureDefinition definition = feature_definition(settings, densities.leaf_dense);
+    source_features = describe(densities.source_dense, definition, kernels, threads);
+    target_features = describe(densities.target_dense, definition, kernels, threads);
+  }
 
-  if (stop("matching")) return;
-  watch.lap();
-  match_features();
-  // Neither needs the other, and both are mostly grids that one thread makes.
-  in_parallel(2, threads, [this](std::size_t i) { i == 0 ? make_tasks() : make_surfaces(); });
-  seconds_.matching = watch.lap();
+  enter("matching");
+  {
+    const Timed timed(seconds_.matching);
+    match_features();
+    // Neither needs the other, and both are mostly grids that one thread makes.
+    in_parallel(2, threads, [this](std::size_t i) { i == 0 ? make_tasks() : make_surfaces(); });
+  }
 
   if (settings.seeds == 0) return;
-  if (stop("seeds")) return;
-  watch.lap();
+  enter("seeds");
+  const Timed timed(seconds_.seeds);
   find_seeds();
-  seconds_.seeds = watch.lap();
 }
 
 void Problem::match_features() {
@@ -116,8 +133,13 @@ void Problem::make_surfaces() {
       Viewpoints{}, kernels);
 }
 
+std::unique_ptr<Result> Problem::solve(Watch& watch) const {
+  return Registration(*this, watch).run();
+}
+
 std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
-  return Registration(*this, on_progress).run();
+  Watch watch(on_progress, settings.time_limit);
+  return solve(watch);
 }
 
 void Problem::make_tasks() {

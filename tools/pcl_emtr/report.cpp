@@ -53,6 +53,8 @@ const char* reason_name(emtr_reason reason) {
       return "interrupted";
     case EMTR_REASON_DEGENERATE:
       return "degenerate";
+    case EMTR_REASON_TIME_LIMIT:
+      return "time_limit";
   }
   return "unknown";
 }

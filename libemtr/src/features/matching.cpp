@@ -78,6 +78,7 @@ struct Nearest {
   void merge(const Nearest& other) {
     std::vector<std::pair<float, std::int32_t>> both(2 * k);
     for (std::size_t i = 0; i < n; ++i) {
+      poll_each(i, 10);
       for (std::size_t j = 0; j < k; ++j) {
         both[j] = {squared[j * n + i], index[j * n + i]};
         both[k + j] = {other.squared[j * n + i], other.index[j * n + i]};
@@ -116,7 +117,8 @@ std::vector<Correspondence> match_mutual(const Features& source, const Features&
     if (part.n != 0) backward.merge(part);
 
   std::vector<std::tuple<float, std::int32_t, std::int32_t>> mutual;
-  for (std::size_t i = 0; i < s.size(); ++i)
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    poll_each(i, 10);
     for (std::size_t j = 0; j < wanted; ++j) {
       const std::int32_t other = forward.index[j * forward.n + i];
       if (other < 0) break;
@@ -124,6 +126,7 @@ std::vector<Correspondence> match_mutual(const Features& source, const Features&
       if (backward.contains(column, static_cast<std::int32_t>(i)))
         mutual.emplace_back(forward.squared[j * forward.n + i], s[i], t[column]);
     }
+  }
   std::sort(mutual.begin(), mutual.end());
   mutual.resize(std::min(mutual.size(), most));
   std::vector<Correspondence> out;

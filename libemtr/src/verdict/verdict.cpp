@@ -57,7 +57,10 @@ Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& al
   v.inlier_rmse = from_source.count
                       ? std::sqrt(from_source.squared_sum / static_cast<double>(from_source.count))
                       : std::numeric_limits<double>::quiet_NaN();
-  v.mode_gap = other_mode(evolution, pose, alpha) - v.fitness;
+  // Of a run that was stopped nobody waits for fitness that is not known yet.
+  const bool known = !evolution.hypotheses.empty() && evolution.stage == EMTR_STAGE_DENSE;
+  v.mode_gap = known || !evolution.stopped ? other_mode(evolution, pose, alpha) - v.fitness
+                                           : std::numeric_limits<double>::quiet_NaN();
 
   if (evolution.stopped)
     v.reason = EMTR_REASON_INTERRUPTED;

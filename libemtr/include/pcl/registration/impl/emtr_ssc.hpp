@@ -5,7 +5,6 @@
 #include <pcl/registration/emtr_ssc.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <limits>
 #include <pcl/registration/impl/emtr_ssc_points.hpp>
@@ -209,30 +208,23 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointClo
   }
   fillViewpoint(input_->sensor_origin_, settings.has_viewpoint_source, settings.viewpoint_source);
   fillViewpoint(target_->sensor_origin_, settings.has_viewpoint_target, settings.viewpoint_target);
-  const auto start = std::chrono::steady_clock::now();
-  const auto prepared_source = prepared_source_.of(source, "source", settings.threads);
-  const auto prepared_target =
-      prepared_source ? prepared_target_.of(*target_, "target", settings.threads) : nullptr;
-  if (!prepared_target) {
-    error_message_ = emtr_error_message();
-    return false;
-  }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  prepared_source_.read(source);
+  prepared_target_.read(*target_);
+  const emtr_cloud from = prepared_source_.view(), to = prepared_target_.view();
+  emtr_prepared *kept_source = prepared_source_.kept(), *kept_target = prepared_target_.kept();
 
   detail::ProgressRelay relay(progress_);
   emtr_result* result = nullptr;
-  const emtr_status status = emtr_register_prepared(prepared_source.get(), prepared_target.get(),
-                                                    &settings, relay.function(), &relay, &result);
+  const emtr_status status = emtr_register_kept(&from, &kept_source, &to, &kept_target, &settings,
+                                                relay.function(), &relay, &result);
+  prepared_source_.keep(kept_source);
+  prepared_target_.keep(kept_target);
   if (status != EMTR_OK) error_message_ = emtr_error_message();
   ResultConstPtr owned(result,
                        [](const emtr_result* r) { emtr_result_free(const_cast<emtr_result*>(r)); });
   if (relay.thrown()) {
     error_message_ = "the progress callback threw an exception";
     std::rethrow_exception(relay.thrown());
-  }
-  if (result) {
-    result->seconds_frame += seconds.count();
-    result->seconds_total += seconds.count();
   }
   result_ = std::move(owned);
   return status == EMTR_OK;

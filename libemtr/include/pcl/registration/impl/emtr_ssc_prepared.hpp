@@ -19,21 +19,26 @@ namespace detail {
  * the coordinates are kept too and compared, which takes far less time than to prepare them. */
 class PreparedInput {
  public:
-  /** \brief The cloud made ready; \a name and \a threads as in emtr_prepare().
-   * \return null when it cannot be registered: emtr_error_message() tells why */
+  /** \brief Looks whether what is kept is of these points, and forgets it when it is not. */
   template <typename PointT>
-  std::shared_ptr<const emtr_prepared> of(const PointCloud<PointT>& cloud, const char* name,
-                                          std::int32_t threads) {
-    if (prepared_ && isOf(cloud)) return prepared_;
+  void read(const PointCloud<PointT>& cloud) {
+    if (prepared_ && isOf(cloud)) return;
     forget();
     // Plain arrays of our own: what is in a pcl::PointCloud depends on how the caller was compiled.
     packed_ = packPoints(cloud);
-    const emtr_cloud view = {packed_.data(), cloud.size(), 0, EMTR_FLOAT32};
-    emtr_prepared* made = nullptr;
-    if (emtr_prepare(&view, name, threads, &made) == EMTR_OK)
-      prepared_ = std::shared_ptr<const emtr_prepared>(
-          made, [](const emtr_prepared* p) { emtr_prepared_free(const_cast<emtr_prepared*>(p)); });
-    return prepared_;
+  }
+
+  /** \brief The points read, for as long as no others are. */
+  emtr_cloud view() const { return {packed_.data(), packed_.size() / 3, 0, EMTR_FLOAT32}; }
+
+  /** \brief What is kept of them, null when nothing is. It is never changed. */
+  emtr_prepared* kept() const { return const_cast<emtr_prepared*>(prepared_.get()); }
+
+  /** \brief Takes what emtr_register_kept() has left. */
+  void keep(emtr_prepared* made) {
+    if (made == prepared_.get()) return;
+    prepared_ = std::shared_ptr<const emtr_prepared>(
+        made, [](const emtr_prepared* p) { emtr_prepared_free(const_cast<emtr_prepared*>(p)); });
   }
 
   void forget() {
