@@ -5,9 +5,6 @@
 namespace emtr {
 namespace {
 
-/// How often the caller is asked. A stop takes this long and one piece of work to be obeyed.
-constexpr std::chrono::milliseconds kEvery{20};
-
 struct Current {
   Watch* watch = nullptr;
   bool owner = false;  // whether this is the thread that the watch was made on
@@ -16,8 +13,8 @@ thread_local Current at_work;
 
 }  // namespace
 
-Watch::Watch(OnProgress on_progress, double seconds)
-    : on_progress_(std::move(on_progress)), limit_(seconds) {}
+Watch::Watch(OnProgress on_progress, double seconds, Clock::duration every)
+    : on_progress_(std::move(on_progress)), limit_(seconds), every_(every) {}
 
 bool Watch::tell(const emtr_progress& progress) {
   progress_ = progress;
@@ -26,7 +23,7 @@ bool Watch::tell(const emtr_progress& progress) {
 
 void Watch::look() {
   const Clock::time_point now = Clock::now();
-  if (now - asked_ >= kEvery && ask(now)) throw Stopped();
+  if (now - asked_ >= every_ && ask(now)) throw Stopped();
 }
 
 bool Watch::ask(Clock::time_point now) {

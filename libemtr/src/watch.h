@@ -20,8 +20,12 @@ struct Stopped {};
 /// often the caller is really asked depends on the clock, so results never depend on polls.
 class Watch {
  public:
-  /// `seconds` from now on, 0 for no limit. Its methods are for the thread that made it.
-  explicit Watch(OnProgress on_progress, double seconds = 0);
+  using Clock = std::chrono::steady_clock;
+
+  /// `seconds` from now on, 0 for no limit; `every`: how often the caller is asked, so that a stop
+  /// takes this long and one piece of work. Its methods are for the thread that made it.
+  explicit Watch(OnProgress on_progress, double seconds = 0,
+                 Clock::duration every = std::chrono::milliseconds(20));
 
   /// Where the run is; asks the caller at once. True: the run is to end.
   bool tell(const emtr_progress& progress);
@@ -32,13 +36,13 @@ class Watch {
 
  private:
   friend void poll();
-  using Clock = std::chrono::steady_clock;
 
   void look();  ///< asks again when the last time is a while ago
   bool ask(Clock::time_point now);
 
   const OnProgress on_progress_;
   const double limit_;
+  const Clock::duration every_;
   const Clock::time_point start_ = Clock::now();
   Clock::time_point asked_ = start_;
   emtr_progress progress_ = {"frame", 0, 0, 0, 0};
