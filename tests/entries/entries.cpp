@@ -1,5 +1,5 @@
-// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET: the transformation by the class, twice with
-// one object, and by the C API, each 16 numbers in hexadecimal on a line of its own.
+// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET: all that the class gives, twice with one
+// object, and the C API, each as a line "result" and lines "name value ...", in hexadecimal.
 #include <emtr/emtr.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/registration/emtr_ssc.h>
@@ -17,8 +17,43 @@ struct Chosen {
   const char* preset;
 };
 
-void print(const double* T) {
-  for (int i = 0; i < 16; ++i) std::printf("%a%c", T[i], i == 15 ? '\n' : ' ');
+template <class Value>
+void print(const char* name, const Value* values, std::size_t n) {
+  std::printf("%s", name);
+  for (std::size_t i = 0; i < n; ++i) std::printf(" %a", static_cast<double>(values[i]));
+  std::printf("\n");
+}
+
+const char* reason_name(emtr_reason reason) {
+  const char* const names[] = {"registered",  "low_overlap", "ambiguous", "few_matches",
+                               "interrupted", "degenerate",  "time_limit"};
+  return names[reason];
+}
+
+void print(const emtr_result& r) {
+  std::printf("result\nreason %s\n", reason_name(r.reason));
+#define SCALAR(field) print(#field, &r.field, 1)
+  SCALAR(registered), SCALAR(fitness), SCALAR(inlier_ratio_source), SCALAR(inlier_ratio_target);
+  SCALAR(inlier_rmse), SCALAR(mode_gap), SCALAR(points_source), SCALAR(points_target);
+  SCALAR(dropped_source), SCALAR(dropped_target), SCALAR(sparse_source), SCALAR(dense_source);
+  SCALAR(dense_target), SCALAR(correspondences), SCALAR(tims), SCALAR(tims_pruned);
+  SCALAR(scale), SCALAR(leaf_sparse), SCALAR(leaf_dense), SCALAR(iterations);
+  SCALAR(confidence), SCALAR(score), SCALAR(fit), SCALAR(violation), SCALAR(score_gap);
+  SCALAR(seeds), SCALAR(candidates), SCALAR(escalated), SCALAR(refined), SCALAR(free_directions);
+#undef SCALAR
+  print("transformation", r.transformation, 16);
+  print("center_source", r.center_source, 3);
+  print("center_target", r.center_target, 3);
+  print("history_alpha", r.history_alpha, r.iterations);
+  print("history_beta", r.history_beta, r.iterations);
+  static_assert(sizeof(emtr_alternative) == 17 * sizeof(double), "pose and score, side by side");
+  print("alternatives", r.alternative_count ? r.alternatives->transformation : nullptr,
+        17 * r.alternative_count);
+  print("information", r.information, 36);
+  print("hold", r.hold, 6);
+  print("hold_directions", r.hold_directions, 36);
+  const std::uint64_t lookups[] = {r.lookups_evaluation, r.lookups_switch, r.lookups_complement};
+  print("lookups", lookups, 3);
 }
 
 bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& chosen) {
@@ -31,8 +66,11 @@ bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& 
   for (int twice = 0; twice < 2; ++twice) {
     Cloud aligned;
     registration.align(aligned);
+    if (!registration.getResult()) return false;
+    emtr_result result = *registration.getResult();
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> T = registration.getFinalTransformation();
-    print(T.data());
+    std::copy_n(T.data(), 16, result.transformation);
+    print(result);
   }
   return true;
 }
@@ -49,7 +87,7 @@ int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen) {
     std::fprintf(stderr, "%s\n", emtr_error_message());
     return 1;
   }
-  print(result->transformation);
+  print(*result);
   emtr_result_free(result);
   return 0;
 }
