@@ -80,7 +80,10 @@ class Running:
         self.master, slave = pty.openpty()
         self.process = subprocess.Popen(
             [command, "a.pcd", "b.pcd", "--iterations", "1000000", "--threads", "1", *arguments],
-            cwd=folder, stdout=subprocess.PIPE, stderr=slave)
+            cwd=folder,
+            stdout=subprocess.PIPE,
+            stderr=slave,
+        )
         self.terminal = os.ttyname(slave)
         os.close(slave)
         self.talk = ""
@@ -133,7 +136,11 @@ def test_interrupt_before_any_pose(command, tmp_path):
     (tmp_path / "b.pcd").write_bytes((tmp_path / "a.pcd").read_bytes())
     process = subprocess.Popen(
         [command, "a.pcd", "b.pcd", "--dense-points", "200000", "--threads", "1", "-o", "T.txt"],
-        cwd=tmp_path, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        cwd=tmp_path,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
     for line in process.stderr:  # the second cloud is loaded, the work begins
         if "Loading b.pcd" in line:
             break
@@ -146,8 +153,19 @@ def test_interrupt_before_any_pose(command, tmp_path):
 
 
 def test_the_time_limit_gives_the_best_pose_so_far(run, small, tmp_path):
-    long = run(*small, "--iterations", "1000000", "--time-limit", "3", "-o", "T.txt",
-               "--report", "r.json", "--threads", "1")
+    long = run(
+        *small,
+        "--iterations",
+        "1000000",
+        "--time-limit",
+        "3",
+        "-o",
+        "T.txt",
+        "--report",
+        "r.json",
+        "--threads",
+        "1",
+    )
     assert long.returncode == 3, long.stderr
     assert "the time limit was reached; the transformation is doubtful" in long.stderr
     assert np.isfinite(np.loadtxt(tmp_path / "T.txt")).all()

@@ -22,8 +22,11 @@ from bit_table.runs import Run  # noqa: E402
 BUILD = Build("this", Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build")))
 DATA = Path(os.environ.get("EMTR_DATA", ROOT.parent / "shared" / "data"))
 PAIRS = [clouds.GENERATED, *clouds.REAL[:3]]
-CASES = [*[(pair, preset) for pair in PAIRS for preset in ("default", "paper")],
-         (clouds.GENERATED, "fast"), ("uwa/trex_03_01", "thorough")]
+CASES = [
+    *[(pair, preset) for pair in PAIRS for preset in ("default", "paper")],
+    (clouds.GENERATED, "fast"),
+    ("uwa/trex_03_01", "thorough"),
+]
 
 
 @pytest.fixture
@@ -37,8 +40,9 @@ def run(request: pytest.FixtureRequest, tmp_path: Path) -> Run:
         both = clouds.load(pair, DATA)
     except FileNotFoundError as failure:
         pytest.skip(f"no real scans, {failure.filename}: set EMTR_DATA")
-    source, target = (clouds.write_pcd(tmp_path / name, cloud)
-                      for name, cloud in zip(("s.pcd", "t.pcd"), both))
+    source, target = (
+        clouds.write_pcd(tmp_path / name, cloud) for name, cloud in zip(("s.pcd", "t.pcd"), both)
+    )
     return Run(source, target, preset)
 
 
@@ -49,8 +53,15 @@ def changed(run: Run, **changes: object) -> Run:
 def by_pyemtr(run: Run) -> Fields:
     from bit_table.python_run import read_pcd
 
-    return of_result(pyemtr.register(read_pcd(str(run.source)), read_pcd(str(run.target)),
-                                     seed=run.seed, threads=run.threads, preset=run.preset))
+    return of_result(
+        pyemtr.register(
+            read_pcd(str(run.source)),
+            read_pcd(str(run.target)),
+            seed=run.seed,
+            threads=run.threads,
+            preset=run.preset,
+        )
+    )
 
 
 def expect_same(found: dict[str, Fields], wanted: Fields, where: str) -> None:

@@ -12,16 +12,18 @@ import sys
 import textwrap
 
 import numpy as np
-import pyemtr
 import pytest
 from children import environment
+
+import pyemtr
 
 QUICK = {"preset": "paper", "iterations": 20}
 
 
 def bits(pair, seed=0, **settings):
-    return pyemtr.register(pair.source, pair.target, seed=seed,
-                           **{**QUICK, **settings}).transformation.tobytes()
+    return pyemtr.register(
+        pair.source, pair.target, seed=seed, **{**QUICK, **settings}
+    ).transformation.tobytes()
 
 
 def child(code, tmp_path, **variables):
@@ -33,9 +35,16 @@ def child(code, tmp_path, **variables):
             return pyemtr.register(pair.source, pair.target, seed=seed, preset="paper",
                                    iterations=20, threads=3).transformation.tobytes()
     """
-    done = subprocess.run([sys.executable, "-c", textwrap.dedent(start) + textwrap.dedent(code)],
-                          text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
-                          timeout=600, cwd=tmp_path, env=environment() | variables)
+    done = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(start) + textwrap.dedent(code)],
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        check=False,
+        timeout=600,
+        cwd=tmp_path,
+        env=environment() | variables,
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -77,8 +86,11 @@ def test_a_pool_of_forked_processes(pair):
 
 def needs(*modules):
     missing = [name for name in modules if importlib.util.find_spec(name) is None]
-    return pytest.mark.skipif(bool(missing), reason=f"no {' or '.join(missing)} in this "
-                              "environment: tools/company makes one that has them")
+    return pytest.mark.skipif(
+        bool(missing),
+        reason=f"no {' or '.join(missing)} in this "
+        "environment: tools/company makes one that has them",
+    )
 
 
 BOTH_ORDERS = """
@@ -113,15 +125,17 @@ OPENMP_USERS = """
 
 
 @needs("sklearn", "scipy")
-@pytest.mark.parametrize("imports", ["import sklearn.cluster, pyemtr",
-                                     "import pyemtr, sklearn.cluster"])
+@pytest.mark.parametrize(
+    "imports", ["import sklearn.cluster, pyemtr", "import pyemtr, sklearn.cluster"]
+)
 def test_beside_users_of_openmp_in_either_order(pair, imports, tmp_path):
     assert child(OPENMP_USERS.format(imports=imports), tmp_path) == bits(pair).hex()
 
 
 def test_nothing_is_written(pair, capfd):
-    pyemtr.register(pair.source, pair.target, iterations=3, escalation="always",
-                    escalation_points=3000)
+    pyemtr.register(
+        pair.source, pair.target, iterations=3, escalation="always", escalation_points=3000
+    )
     with pytest.raises(ValueError):
         pyemtr.register(pair.source[:5], pair.target)
     with pytest.raises(ValueError):
@@ -136,10 +150,18 @@ def test_the_process_is_as_it_was(pair, tmp_path, monkeypatch):
 
     def state():
         handlers = [signal.getsignal(number) for number in signal.valid_signals()]
-        return (locale.setlocale(locale.LC_ALL), os.getcwd(), handlers, dict(os.environ),
-                random.getstate(), np.random.get_state()[1].tolist(), np.geterr(),
-                signal.pthread_sigmask(signal.SIG_BLOCK, []), os.umask(os.umask(0o22)),
-                len(os.listdir("/proc/self/fd")))
+        return (
+            locale.setlocale(locale.LC_ALL),
+            os.getcwd(),
+            handlers,
+            dict(os.environ),
+            random.getstate(),
+            np.random.get_state()[1].tolist(),
+            np.geterr(),
+            signal.pthread_sigmask(signal.SIG_BLOCK, []),
+            os.umask(os.umask(0o22)),
+            len(os.listdir("/proc/self/fd")),
+        )
 
     before = state()
     bits(pair, threads=3)

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-NEEDED = {"generic": (), "avx2": ("avx2",), "avx512": ("avx512f", "avx512vl", "avx512bw", "avx512dq")}
+NEEDED = {
+    "generic": (),
+    "avx2": ("avx2",),
+    "avx512": ("avx512f", "avx512vl", "avx512bw", "avx512dq"),
+}
 
 
 def split() -> tuple[list[str], list[str]]:

@@ -6,8 +6,8 @@ import argparse
 import os
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Iterator
 
 from . import builds, clouds, kernels
 from .builds import REPOSITORY, Build

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from .fields import Fields, of_lines, of_report
 
+
 @dataclass(frozen=True)
 class Run:
     source: Path  # PCD files

@@ -6,9 +6,7 @@ import argparse
 import time
 from typing import Any
 
-STAGES = (
-    "frame densities features matching seeds evolution candidates escalation refinement verdict"
-).split()
+STAGES = ["frame", "densities", "features", "matching", "seeds", "evolution", "candidates", "escalation", "refinement", "verdict"]
 
 
 def parse() -> argparse.Namespace:
