@@ -248,9 +248,8 @@ emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
     required(source, "source");
     required(target, "target");
     const emtr::Settings chosen = settings_or_preset(settings);
-    *result = run(chosen, progress, user, [&] {
-      return emtr::normalise(*source, *target, emtr::thread_count(chosen));
-    });
+    *result = run(chosen, progress, user,
+                  [&] { return emtr::normalise(*source, *target, emtr::thread_count(chosen)); });
   });
 }
 

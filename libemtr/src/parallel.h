@@ -13,9 +13,8 @@ namespace emtr {
 template <class Job>
 void in_parallel(std::size_t n, int threads, const Job& job) {
   const int most = static_cast<int>(std::min(n, static_cast<std::size_t>(threads)));
-  Team::with(std::max(most, 1), [&](Team& team) {
-    team.parallel(n, [&](std::size_t i, std::size_t) { job(i); });
-  });
+  Team::with(std::max(most, 1),
+             [&](Team& team) { team.parallel(n, [&](std::size_t i, std::size_t) { job(i); }); });
 }
 
 }  // namespace emtr

@@ -1,7 +1,6 @@
 #include "registration.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "error.h"
@@ -30,8 +29,7 @@ std::unique_ptr<Result> Registration::run() {
     const Timed timed(r.seconds_verdict);
     if (answer_) conclude();
   }
-  if (stopped_)
-    r.reason = watch_.late() ? EMTR_REASON_TIME_LIMIT : EMTR_REASON_INTERRUPTED;
+  if (stopped_) r.reason = watch_.late() ? EMTR_REASON_TIME_LIMIT : EMTR_REASON_INTERRUPTED;
   r.iterations = r.alpha.size();
   r.history_alpha = r.alpha.data();
   r.history_beta = r.beta.data();
@@ -158,11 +156,11 @@ void Registration::evolve() {
   } else {
     for (const Seed& seed : problem_.seeds) shortlist_.push_back(seed.pose);
   }
-  evolution_ = emtr::evolve(*problem_.alpha, *problem_.beta, *problem_.complement, settings_,
-                            starts(), [&](int done, double alpha, double beta) {
-                              return watch_.tell(
-                                  {"evolution", done, settings_.iterations, alpha, beta});
-                            });
+  evolution_ =
+      emtr::evolve(*problem_.alpha, *problem_.beta, *problem_.complement, settings_, starts(),
+                   [&](int done, double alpha, double beta) {
+                     return watch_.tell({"evolution", done, settings_.iterations, alpha, beta});
+                   });
   result_->lookups_evaluation = evolution_.lookups_evaluation;
   result_->lookups_switch = evolution_.lookups_switch;
   result_->lookups_complement = evolution_.lookups_complement;
@@ -243,11 +241,10 @@ void Registration::conclude_refinement() {
   Result& r = *result_;
   r.refined = 1;
   // A shift in the user's unit is `scale` times as many, its information that much less.
+  const double unit[3] = {1, r.scale, r.scale * r.scale};
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) {
-      const int shifts = (i >= 3) + (j >= 3);
-      r.information[6 * i + j] = refined_.information[6 * i + j] / std::pow(r.scale, shifts);
-    }
+    for (int j = 0; j < 6; ++j)
+      r.information[6 * i + j] = refined_.information[6 * i + j] / unit[(i >= 3) + (j >= 3)];
   r.free_directions = refined_.spectrum.free;
   for (int i = 0; i < 6; ++i) {
     r.hold[i] = refined_.spectrum.values[i];

@@ -19,13 +19,13 @@ class Registration {
   std::unique_ptr<Result> run();
 
  private:
-  void search();                 ///< all that finds poses; Stopped leaves the best so far
+  void search();                  ///< all that finds poses; Stopped leaves the best so far
   void enter(const char* stage);  ///< tells the caller
   void describe_problem();
   std::vector<Rigid> starts() const;
   void evolve();
   void rank();
-  void settle();  ///< on the best candidate
+  void settle();   ///< on the best candidate
   void salvage();  ///< what is known of the best pose when the work was stopped in its midst
   bool unsure() const;
   void refine();

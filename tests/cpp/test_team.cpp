@@ -51,9 +51,8 @@ TEST(Team, WorksInsideAParallelRegionOfTheCallers) {
 #pragma omp parallel num_threads(2)
   {
     ++regions;
-    Team::with(4, [&](Team& team) {
-      team.parallel(50, [&](std::size_t, std::size_t) { ++count; });
-    });
+    Team::with(4,
+               [&](Team& team) { team.parallel(50, [&](std::size_t, std::size_t) { ++count; }); });
   }
   EXPECT_EQ(count, 50 * regions);
 }

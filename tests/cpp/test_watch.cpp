@@ -1,5 +1,3 @@
-#include "watch.h"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -13,6 +11,7 @@
 #include "support/bumpy_pair.h"
 #include "support/clouds.h"
 #include "team.h"
+#include "watch.h"
 
 namespace {
 

@@ -70,7 +70,7 @@ def expect_same(found: dict[str, Fields], wanted: Fields, where: str) -> None:
         assert differing(wanted, fields) == [], f"{way}, {where}"
 
 
-@pytest.mark.parametrize("run", CASES, indirect=True, ids=lambda case: "-".join(case))
+@pytest.mark.parametrize("run", CASES, indirect=True, ids="-".join)
 def test_same_bits_for_any_number_of_threads(run: Run) -> None:
     wanted = by_pyemtr(run)
     for threads in (1, 2, 3, 4, 8):
@@ -79,7 +79,7 @@ def test_same_bits_for_any_number_of_threads(run: Run) -> None:
         assert "transformation" in differing(wanted, by_pyemtr(changed(run, seed=6)))
 
 
-@pytest.mark.parametrize("run", CASES[:2], indirect=True, ids=lambda case: "-".join(case))
+@pytest.mark.parametrize("run", CASES[:2], indirect=True, ids="-".join)
 @pytest.mark.parametrize("kernel", list(kernels.NEEDED))
 def test_same_bits_with_each_instruction_set(run: Run, kernel: str) -> None:
     if kernel not in kernels.split()[0]:

@@ -38,8 +38,7 @@ def child(code, tmp_path, **variables):
     done = subprocess.run(
         [sys.executable, "-c", textwrap.dedent(start) + textwrap.dedent(code)],
         text=True,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
+        capture_output=True,
         check=False,
         timeout=600,
         cwd=tmp_path,
@@ -156,7 +155,7 @@ def test_the_process_is_as_it_was(pair, tmp_path, monkeypatch):
             handlers,
             dict(os.environ),
             random.getstate(),
-            np.random.get_state()[1].tolist(),
+            np.random.get_state()[1].tolist(),  # noqa: NPY002 - it is the global one that counts
             np.geterr(),
             signal.pthread_sigmask(signal.SIG_BLOCK, []),
             os.umask(os.umask(0o22)),

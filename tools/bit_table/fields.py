@@ -9,8 +9,18 @@ from typing import Any
 
 Fields = dict[str, str]
 
-SCALARS = ["registered", "reason", "fitness", "inlier_ratio_source", "inlier_ratio_target", "inlier_rmse", "mode_gap", "points_source", "points_target", "dropped_source", "dropped_target", "sparse_source", "dense_source", "dense_target", "correspondences", "tims", "tims_pruned", "scale", "leaf_sparse", "leaf_dense", "iterations", "confidence", "score", "fit", "violation", "score_gap", "seeds", "candidates", "escalated", "refined", "free_directions"]
-LISTS = ["transformation", "center_source", "center_target", "history_alpha", "history_beta", "alternatives", "information", "hold", "hold_directions", "lookups"]
+SCALARS = [
+    *("registered", "reason", "fitness", "inlier_ratio_source", "inlier_ratio_target"),
+    *("inlier_rmse", "mode_gap", "points_source", "points_target", "dropped_source"),
+    *("dropped_target", "sparse_source", "dense_source", "dense_target", "correspondences"),
+    *("tims", "tims_pruned", "scale", "leaf_sparse", "leaf_dense", "iterations", "confidence"),
+    *("score", "fit", "violation", "score_gap", "seeds", "candidates", "escalated", "refined"),
+    "free_directions",
+]
+LISTS = [
+    *("transformation", "center_source", "center_target", "history_alpha", "history_beta"),
+    *("alternatives", "information", "hold", "hold_directions", "lookups"),
+]
 
 
 def of_result(result: Any) -> Fields:

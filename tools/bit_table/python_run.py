@@ -15,7 +15,7 @@ from .fields import of_result
 
 
 def read_pcd(path: str) -> Points:
-    header, data = Path(path).read_bytes().split(b"DATA binary\n", 1)
+    _header, data = Path(path).read_bytes().split(b"DATA binary\n", 1)
     return np.frombuffer(data, "<f4").reshape(-1, 3)
 
 

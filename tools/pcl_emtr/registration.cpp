@@ -57,8 +57,8 @@ Result run_registration(const CloudFile& source, const CloudFile& target, const 
   for (const double value : result->transformation)
     if (!std::isfinite(value))
       throw Failure(exit_code(*result), std::string("not registered: ") +
-                                        emtr_reason_text(result->reason) +
-                                        " before any pose was known; nothing is written");
+                                            emtr_reason_text(result->reason) +
+                                            " before any pose was known; nothing is written");
   return result;
 }
 

@@ -63,9 +63,9 @@ EMTR_API const char* emtr_kernel_name(void);
  * which both clouds are centred and the larger one has radius 1.
  * emtr_setting_describe() gives unit, range, default and meaning of each. */
 typedef struct emtr_settings {
-  size_t size;     /* sizeof(emtr_settings), set by emtr_settings_init() */
-  uint64_t seed;   /* any; the same seed gives the same bits */
-  int32_t threads; /* 0: as many as OpenMP would use; the result does not depend on it */
+  size_t size;       /* sizeof(emtr_settings), set by emtr_settings_init() */
+  uint64_t seed;     /* any; the same seed gives the same bits */
+  int32_t threads;   /* 0: as many as OpenMP would use; the result does not depend on it */
   double time_limit; /* seconds, 0: none. A run that takes longer gives its best pose so far */
 
   /* densities */
@@ -223,8 +223,8 @@ typedef struct emtr_progress {
 /* Called on the calling thread: before each stage, after each iteration, and again with the same
  * progress about every 20 ms while a stage lasts, however long. Non-zero stops the run within 100
  * ms: the result then has reason EMTR_REASON_INTERRUPTED and the best pose so far. It may call the
- * library, but for functions of the problem that is being solved. What it throws in C++ ends the run
- * with EMTR_ERROR_INTERNAL. It sees the default floating-point environment. */
+ * library, but for functions of the problem that is being solved. What it throws in C++ ends the
+ * run with EMTR_ERROR_INTERNAL. It sees the default floating-point environment. */
 typedef int (*emtr_progress_fn)(const emtr_progress* progress, void* user);
 
 /* ---- result ------------------------------------------------------------------------- */
@@ -367,7 +367,8 @@ EMTR_API void emtr_prepared_free(emtr_prepared* prepared);
 
 /* As emtr_register(), and keeps what it makes ready: a cloud whose *kept is not null is not read,
  * that one stands for it; else *kept receives what was prepared. Either pointer may be null, as
- * the cloud of one that is kept. What was prepared by the time of an error or a stop is kept too. */
+ * the cloud of one that is kept. What was prepared by the time of an error or a stop is kept too.
+ */
 EMTR_API emtr_status emtr_register_kept(const emtr_cloud* source, emtr_prepared** kept_source,
                                         const emtr_cloud* target, emtr_prepared** kept_target,
                                         const emtr_settings* settings, emtr_progress_fn progress,

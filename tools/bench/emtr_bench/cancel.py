@@ -6,7 +6,18 @@ import argparse
 import time
 from typing import Any
 
-STAGES = ["frame", "densities", "features", "matching", "seeds", "evolution", "candidates", "escalation", "refinement", "verdict"]
+STAGES = [
+    "frame",
+    "densities",
+    "features",
+    "matching",
+    "seeds",
+    "evolution",
+    "candidates",
+    "escalation",
+    "refinement",
+    "verdict",
+]
 
 
 def parse() -> argparse.Namespace:
