@@ -12,7 +12,7 @@ from pathlib import Path
 from . import builds, clouds, kernels
 from .builds import REPOSITORY, Build
 from .fields import Fields, differing
-from .runs import Run, by_programs, by_python, by_shell
+from .runs import Run, RunFailure, by_programs, by_python, by_shell
 
 THREADS = (1, 2, 3, 4, 8)
 
@@ -106,6 +106,6 @@ def main() -> int:
     arguments = parse()
     try:
         return table(arguments)
-    except (builds.BuildFailure, OSError) as failure:
+    except (builds.BuildFailure, RunFailure, OSError) as failure:
         print(f"bits: {failure}", file=sys.stderr)
         return 2

@@ -12,6 +12,8 @@ from pathlib import Path
 
 from .fields import Fields, of_lines, of_report
 
+TOOLS = Path(__file__).resolve().parents[1]
+
 
 @dataclass(frozen=True)
 class Run:
@@ -52,7 +54,7 @@ def by_shell(command: Path, run: Run) -> Fields:
 def by_python(run: Run, package: Path | None = None) -> Fields:
     """In a fresh process, with the pyemtr of `package`, or the one that is installed."""
     environment = run.environment
-    paths = [str(Path(__file__).resolve().parents[1])] + ([str(package)] if package else [])
+    paths = [str(TOOLS)] + ([str(package)] if package else [])
     environment["PYTHONPATH"] = os.pathsep.join(paths)
     words = [str(run.source), str(run.target), str(run.threads), str(run.seed), run.preset]
     program = [sys.executable, "-m", "bit_table.python_run", *words]
@@ -61,7 +63,10 @@ def by_python(run: Run, package: Path | None = None) -> Fields:
 
 
 def _output(words: list[str], environment: dict[str, str], good: tuple[int, ...] = (0,)) -> str:
-    done = subprocess.run(words, capture_output=True, text=True, check=False, env=environment)
+    # Not where the checkout's pyemtr lies, which holds no compiled module.
+    done = subprocess.run(
+        words, capture_output=True, text=True, check=False, env=environment, cwd=TOOLS
+    )
     if done.returncode not in good:
         raise RunFailure(f"{' '.join(words)}: status {done.returncode}\n{done.stderr.strip()}")
     return done.stdout
