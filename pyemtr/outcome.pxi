@@ -1,15 +1,10 @@
 # emtr_result as a dict of plain Python values.
 
-REASONS = {EMTR_REASON_REGISTERED: "registered", EMTR_REASON_LOW_OVERLAP: "low_overlap",
-           EMTR_REASON_AMBIGUOUS: "ambiguous", EMTR_REASON_FEW_MATCHES: "few_matches",
-           EMTR_REASON_INTERRUPTED: "interrupted", EMTR_REASON_DEGENERATE: "degenerate"}
-
-
 cdef dict fields(const emtr_result* r):
     return {
         "transformation": listed(r.transformation, 16),
         "registered": bool(r.registered),
-        "reason": REASONS[r.reason],
+        "reason": emtr_reason_name(r.reason).decode(),
         "reason_text": emtr_reason_text(r.reason).decode(),
         "fitness": r.fitness,
         "inlier_ratio_source": r.inlier_ratio_source,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -60,6 +61,18 @@ template <class T>
 T& required(T* pointer, const char* name) {
   if (!pointer) throw emtr::Error(EMTR_ERROR_ARGUMENT, std::string(name) + " is null");
   return *pointer;
+}
+
+/// To a caller who was compiled with this header or a later one, whose further fields become zero.
+template <class Info>
+void hand_out(const Info& info, Info* out, std::size_t size) {
+  required(out, "info");
+  if (size < sizeof(Info))
+    throw emtr::Error(
+        EMTR_ERROR_ARGUMENT,
+        "size is " + std::to_string(size) + ", expected at least " + std::to_string(sizeof(Info)));
+  std::memset(static_cast<void*>(out), 0, size);
+  std::memcpy(static_cast<void*>(out), &info, sizeof(Info));
 }
 
 emtr::Settings& checked(emtr_settings* settings) {
@@ -132,6 +145,24 @@ const char* emtr_status_text(emtr_status status) {
   return "unknown status";
 }
 
+const char* emtr_reason_name(emtr_reason reason) {
+  switch (reason) {
+    case EMTR_REASON_REGISTERED:
+      return "registered";
+    case EMTR_REASON_LOW_OVERLAP:
+      return "low_overlap";
+    case EMTR_REASON_AMBIGUOUS:
+      return "ambiguous";
+    case EMTR_REASON_FEW_MATCHES:
+      return "few_matches";
+    case EMTR_REASON_INTERRUPTED:
+      return "interrupted";
+    case EMTR_REASON_DEGENERATE:
+      return "degenerate";
+  }
+  return "unknown";
+}
+
 const char* emtr_reason_text(emtr_reason reason) {
   switch (reason) {
     case EMTR_REASON_REGISTERED:
@@ -178,13 +209,13 @@ const char* emtr_preset_name(size_t index) { return emtr::preset_name(index); }
 
 size_t emtr_setting_count(void) { return emtr::setting_count(); }
 
-emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info) {
+emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info, size_t size) {
   return guarded([&] {
     if (index >= emtr::setting_count())
       throw emtr::Error(EMTR_ERROR_ARGUMENT, "index is " + std::to_string(index) +
                                                  ", expected below " +
                                                  std::to_string(emtr::setting_count()));
-    required(info, "info") = emtr::setting(index).info;
+    hand_out(emtr::setting(index).info, info, size);
   });
 }
 
@@ -226,15 +257,17 @@ emtr_status emtr_prepare(const emtr_cloud* cloud, const char* name, int32_t thre
 
 void emtr_prepared_free(emtr_prepared* prepared) { delete prepared; }
 
-emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info) {
+emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
+                                   size_t size) {
   return guarded([&] {
     const emtr::PreparedCloud& cloud = *required(prepared, "prepared").cloud;
-    emtr_prepared_info& out = required(info, "info");
+    emtr_prepared_info out{};
     out.points = cloud.count;
     out.dropped = cloud.dropped;
     out.kept = cloud.base.size();
     std::copy_n(cloud.center, 3, out.center);
     out.radius = cloud.radius;
+    hand_out(out, info, size);
   });
 }
 
@@ -341,10 +374,11 @@ uint64_t emtr_problem_lookups(const emtr_problem* problem) {
   return problem ? problem->lookups.load() : 0;
 }
 
-emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info) {
+emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info,
+                                  size_t size) {
   return guarded([&] {
     const emtr_problem& p = checked(problem);
-    emtr_problem_info& out = required(info, "info");
+    emtr_problem_info out{};
     out.scale = p.frame.scale;
     std::copy_n(p.frame.center_source, 3, out.center_source);
     std::copy_n(p.frame.center_target, 3, out.center_target);
@@ -355,6 +389,7 @@ emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info
     out.tau = p.tau;
     out.tims = p.tims.formed();
     out.tims_pruned = p.tims.pruned;
+    hand_out(out, info, size);
   });
 }
 

@@ -16,7 +16,7 @@ Json settings_json(const emtr_settings& settings) {
   Json out;
   for (std::size_t i = 0; i < emtr_setting_count(); ++i) {
     emtr_setting_info info;
-    emtr_setting_describe(i, &info);
+    emtr_setting_describe(i, &info, sizeof info);
     double value = 0;
     emtr_setting_get(&settings, info.name, &value);
     switch (info.type) {
@@ -36,25 +36,6 @@ Json settings_json(const emtr_settings& settings) {
   }
   out["seed"] = settings.seed;  // all 64 bits
   return out;
-}
-
-/// Names that stay the same when the texts are polished.
-const char* reason_name(emtr_reason reason) {
-  switch (reason) {
-    case EMTR_REASON_REGISTERED:
-      return "registered";
-    case EMTR_REASON_LOW_OVERLAP:
-      return "low_overlap";
-    case EMTR_REASON_AMBIGUOUS:
-      return "ambiguous";
-    case EMTR_REASON_FEW_MATCHES:
-      return "few_matches";
-    case EMTR_REASON_INTERRUPTED:
-      return "interrupted";
-    case EMTR_REASON_DEGENERATE:
-      return "degenerate";
-  }
-  return "unknown";
 }
 
 }  // namespace
@@ -81,7 +62,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                        {"target", position(s.has_viewpoint_target, s.viewpoint_target)}};
 
   out["registered"] = r.registered != 0;
-  out["reason"] = reason_name(r.reason);
+  out["reason"] = emtr_reason_name(r.reason);
   out["reason_text"] = emtr_reason_text(r.reason);
   out["confidence"] = r.confidence;
   out["transformation"] = rows<4>(r.transformation);

@@ -183,9 +183,11 @@ typedef struct emtr_setting_info {
   const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
 } emtr_setting_info;
 
-/* The settings that have a name (all but size, has_guess and guess), in a fixed order. */
+/* The settings that have a name (all but size, has_guess and guess), in a fixed order. Here and
+ * below `size` is sizeof of the info as the caller was compiled: later versions append fields, and
+ * what this version does not know is set to zero. Less than this version's is an error. */
 EMTR_API size_t emtr_setting_count(void);
-EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info);
+EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info, size_t size);
 
 /* Sets or reads a setting by name. The range is checked here, contradictions between
  * settings when they are used. A seed above 2^53 must be set in the struct. */
@@ -235,6 +237,10 @@ typedef enum emtr_reason {
   EMTR_REASON_INTERRUPTED = 4, /* stopped by the progress callback */
   EMTR_REASON_DEGENERATE = 5   /* the surfaces can slide or spin along themselves */
 } emtr_reason;
+
+/* A reason's short name, which stays the same: "registered", "low_overlap", "ambiguous",
+ * "few_matches", "interrupted", "degenerate". "unknown" for what is none. */
+EMTR_API const char* emtr_reason_name(emtr_reason reason);
 
 /* What a reason means, in a few words. Never null. */
 EMTR_API const char* emtr_reason_text(emtr_reason reason);
@@ -309,7 +315,7 @@ typedef struct emtr_result {
 
   /* the answer's standing among the candidates */
   double confidence; /* held probability that the pose is right (within 5 degrees and 0.06 radii),
-                        0 to 1; NaN without candidates, as the four below */
+                        0 to 1, in steps of 1e-6; NaN without candidates, as the four below */
   double score;      /* fit - 2 violation, at most 1 */
   double fit;        /* how well the surfaces lie on each other, 0 to 1 (best) */
   double violation;  /* share of points in front of what the other scan saw */
@@ -368,8 +374,8 @@ typedef struct emtr_prepared_info {
   double radius;    /* largest distance from it, user's unit */
 } emtr_prepared_info;
 
-EMTR_API emtr_status emtr_prepared_describe(const emtr_prepared* prepared,
-                                            emtr_prepared_info* info);
+EMTR_API emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
+                                            size_t size);
 
 /* As emtr_register(), to the same bits. `seconds_frame` is without the preparation. */
 EMTR_API emtr_status emtr_register_prepared(const emtr_prepared* source,
@@ -438,7 +444,8 @@ typedef struct emtr_problem_info {
   size_t tims_pruned; /* of these, not kept in the arrays */
 } emtr_problem_info;
 
-EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info);
+EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info,
+                                           size_t size);
 
 typedef enum emtr_array {
   EMTR_SOURCE_SPARSE = 0, /* float32 (n, 3), normalised frame, as all clouds below */
