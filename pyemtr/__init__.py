@@ -11,6 +11,7 @@ from . import _emtr
 from ._emtr import kernel_name
 from .alternative import Alternative
 from .cloud import Cloud
+from .distances import residuals
 from .options import Setting, presets, settings
 from .problem import Problem
 from .progress import Progress
@@ -21,4 +22,5 @@ from .tasks import TaskAlpha, TaskBeta
 __version__: str = _emtr.version()
 
 __all__ = ["Alternative", "Cloud", "Problem", "Progress", "Result", "Setting", "TaskAlpha",
-           "TaskBeta", "kernel_name", "presets", "register", "settings", "__version__"]
+           "TaskBeta", "kernel_name", "presets", "register", "residuals", "settings",
+           "__version__"]

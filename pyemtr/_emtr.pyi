@@ -42,6 +42,11 @@ def register(
     source: _Cloud, target: _Cloud, settings: Settings, callback: _Callback
 ) -> dict[str, Any]: ...
 
+def residuals(
+    source: NDArray[Any], target: NDArray[Any], transformation: NDArray[np.float64], threads: int,
+    of_target: bool, out: NDArray[np.float64]
+) -> None: ...
+
 @final
 class ArrayView:
     def __init__(self, owner: Problem, name: str) -> None: ...

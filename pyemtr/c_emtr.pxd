@@ -86,7 +86,8 @@ cdef extern from "emtr/emtr.h" nogil:
         double transformation[16]
         int32_t registered
         emtr_reason reason
-        double fitness, inlier_ratio_source, inlier_ratio_target, inlier_rmse, mode_gap
+        double fitness, inlier_ratio_source, inlier_ratio_target, mode_gap
+        double overlap_source, overlap_target, inlier_rmse, inlier_rmse_plane
         size_t points_source, points_target, dropped_source, dropped_target
         size_t sparse_source, sparse_target, dense_source, dense_target
         size_t correspondences, tims, tims_pruned
@@ -94,7 +95,7 @@ cdef extern from "emtr/emtr.h" nogil:
         double scale
         double center_source[3]
         double center_target[3]
-        double leaf_sparse, leaf_dense
+        double leaf_sparse, leaf_dense, leaf_fine
         double seconds_frame, seconds_densities, seconds_features, seconds_matching
         double seconds_evolution, seconds_verdict, seconds_total
         size_t iterations
@@ -118,6 +119,10 @@ cdef extern from "emtr/emtr.h" nogil:
     emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
                               const emtr_settings* settings, emtr_progress_fn progress,
                               void* user, emtr_result** result)
+
+    emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
+                               const double* transformation, int32_t threads,
+                               double* of_source, double* of_target)
 
     ctypedef struct emtr_prepared:
         pass

@@ -16,6 +16,7 @@
 #include "settings.h"
 #include "tasks/euler.h"
 #include "team.h"
+#include "verdict/residuals.h"
 
 #define EMTR_TEXT_(x) #x
 #define EMTR_TEXT(x) EMTR_TEXT_(x)
@@ -92,6 +93,21 @@ emtr::Settings settings_or_preset(const emtr_settings* settings) {
 emtr::OnProgress progress_function(emtr_progress_fn progress, void* user) {
   if (!progress) return nullptr;
   return [=](const emtr_progress& p) { return progress(&p, user) != 0; };
+}
+
+emtr::Rigid rigid(const double T[16]) {
+  if (!emtr::is_rigid(T))
+    throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                      "transformation: expected a row-major 4x4 of a rotation, a translation "
+                      "and (0, 0, 0, 1)");
+  return emtr::from_matrix(T);
+}
+
+/// As the setting of that name.
+int thread_count(std::int32_t threads) {
+  emtr::Settings settings{};
+  emtr::set(settings, "threads", threads);
+  return emtr::thread_count(settings);
 }
 
 /// A problem that tasks can be evaluated on.
@@ -244,14 +260,21 @@ emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
   });
 }
 
+emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target, const double T[16],
+                           int32_t threads, double* of_source, double* of_target) {
+  return guarded([&] {
+    const emtr::Rigid pose = T ? rigid(T) : emtr::Rigid();
+    emtr::residuals(required(source, "source"), required(target, "target"), pose,
+                    thread_count(threads), of_source, of_target);
+  });
+}
+
 emtr_status emtr_prepare(const emtr_cloud* cloud, const char* name, int32_t threads,
                          emtr_prepared** prepared) {
   return guarded([&] {
     required(prepared, "prepared") = nullptr;
-    emtr::Settings settings = emtr::preset("paper");
-    emtr::set(settings, "threads", threads);
     *prepared = new emtr_prepared{std::make_shared<const emtr::PreparedCloud>(
-        required(cloud, "cloud"), name ? name : "", emtr::thread_count(settings))};
+        required(cloud, "cloud"), name ? name : "", thread_count(threads))};
   });
 }
 
@@ -361,11 +384,8 @@ emtr_status emtr_particle_to_transformation(const emtr_problem* problem, const d
 emtr_status emtr_transformation_to_particle(const emtr_problem* problem, const double T[16],
                                             double particle[6]) {
   return guarded([&] {
-    if (!emtr::is_rigid(&required(T, "transformation")))
-      throw emtr::Error(EMTR_ERROR_ARGUMENT,
-                        "transformation: expected a row-major 4x4 of a rotation, a translation "
-                        "and (0, 0, 0, 1)");
-    const emtr::Rigid pose = checked(problem).frame.to_normalised(emtr::from_matrix(T));
+    const emtr::Rigid pose =
+        checked(problem).frame.to_normalised(rigid(&required(T, "transformation")));
     emtr::encode(pose, &required(particle, "particle"));
   });
 }

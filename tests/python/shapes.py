@@ -69,7 +69,8 @@ def bits(result) -> bytes:
     arrays = [result.transformation, result.information, result.hold, result.hold_directions,
               result.history["alpha"], result.history["beta"], *poses]
     numbers = [result.fitness, result.inlier_ratio_source, result.inlier_ratio_target,
-               result.inlier_rmse, result.mode_gap, result.confidence, result.score, result.fit,
+               result.mode_gap, result.overlap_source, result.overlap_target, result.leaf_fine,
+               result.inlier_rmse, result.inlier_rmse_plane, result.confidence, result.score, result.fit,
                result.violation, result.score_gap, result.seeds, result.candidates,
                *[alternative.score for alternative in result.alternatives]]
     return b"".join(array.tobytes() for array in [*arrays, np.array(numbers, dtype=float)])

@@ -37,9 +37,9 @@ def test_a_typed_program_passes(tmp_path):
 
 
 def test_the_package_itself_passes(tmp_path):
-    modules = [f"pyemtr.{name}" for name in ("alternative", "arrays", "cloud", "options", "problem",
-                                             "progress", "views", "registration", "result",
-                                             "tasks", "_emtr")]
+    modules = [f"pyemtr.{name}" for name in ("alternative", "arrays", "cloud", "distances",
+                                             "options", "problem", "progress", "views",
+                                             "registration", "result", "tasks", "_emtr")]
     done = strict(tmp_path, "-m", "pyemtr", *[part for name in modules for part in ("-m", name)])
     assert done.returncode == 0, done.stdout
 
@@ -74,7 +74,7 @@ def test_the_stub_is_true_to_the_extension(tmp_path):
     allowed = tmp_path / "allowed"
     # What Cython adds, what only the extension itself uses, and the buffer protocol, which has
     # a name in Python from 3.12 on.
-    names = ["__reduce_cython__", "__setstate_cython__", "__test__", "ARRAYS", "REASONS",
+    names = ["__reduce_cython__", "__setstate_cython__", "__test__", "ARRAYS",
              "SETTING_TYPES", "CloudBuffer", "Watch", r"ArrayView\.__buffer__"]
     allowed.write_text("\n".join(rf"pyemtr\._emtr\.{name}" for name in names), encoding="utf-8")
     done = mypy(tmp_path, "pyemtr._emtr", "--allowlist", str(allowed),

@@ -2,6 +2,7 @@
 
 #include "json_rows.h"
 #include "report_standing.h"
+#include "residuals.h"
 #include "setting_text.h"
 #include "versions.h"
 
@@ -41,7 +42,7 @@ Json settings_json(const emtr_settings& settings) {
 }  // namespace
 
 std::string report(const Options& options, const CloudFile& source, const CloudFile& target,
-                   const emtr_result& r) {
+                   const emtr_result& r, const std::vector<double>& residuals) {
   Json out;
   out["versions"] = {
       {"emtr", emtr_version()}, {"pcl", PCL_VERSION_PRETTY}, {"eigen", eigen_version()}};
@@ -69,8 +70,11 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["quality"] = {{"fitness", r.fitness},
                     {"inlier_ratio_source", r.inlier_ratio_source},
                     {"inlier_ratio_target", r.inlier_ratio_target},
-                    {"inlier_rmse", r.inlier_rmse},
                     {"mode_gap", r.mode_gap},
+                    {"overlap_source", r.overlap_source},
+                    {"overlap_target", r.overlap_target},
+                    {"inlier_rmse", r.inlier_rmse},
+                    {"inlier_rmse_plane", r.inlier_rmse_plane},
                     {"score", r.score},
                     {"fit", r.fit},
                     {"violation", r.violation},
@@ -79,6 +83,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["refined"] = r.refined != 0;
   out["alternatives"] = alternatives_json(r);
   out["refinement"] = refinement_json(r);
+  out["residuals"] = options.residuals ? residuals_json(residuals) : Json();
   out["counts"] = {{"read_source", source.size()},         {"read_target", target.size()},
                    {"points_source", r.points_source},     {"points_target", r.points_target},
                    {"dropped_source", r.dropped_source},   {"dropped_target", r.dropped_target},
@@ -95,7 +100,8 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                   {"center_source", r.center_source},
                   {"center_target", r.center_target},
                   {"leaf_sparse", r.leaf_sparse},
-                  {"leaf_dense", r.leaf_dense}};
+                  {"leaf_dense", r.leaf_dense},
+                  {"leaf_fine", r.leaf_fine}};
   out["seconds"] = {{"load_source", source.milliseconds / 1e3},
                     {"load_target", target.milliseconds / 1e3},
                     {"frame", r.seconds_frame},

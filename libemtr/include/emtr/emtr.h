@@ -264,10 +264,19 @@ typedef struct emtr_result {
   double fitness;             /* mean of rho over both dense clouds, 0 (best) to 1 */
   double inlier_ratio_source; /* share of dense source points within c of the target */
   double inlier_ratio_target;
-  double inlier_rmse; /* of the source inliers to the nearest dense target point,
-                         user's unit; NaN when there are none */
-  double mode_gap;    /* fitness of the best clearly different pose (over 10 degrees
-                         or 0.15 radii away) minus that of this one */
+  double mode_gap; /* fitness of the best clearly different pose (over 10 degrees
+                      or 0.15 radii away) minus that of this one */
+
+  /* quality, at the fine clouds: both thinned by `leaf_fine`. Up to 5000 points of each cloud, as
+   * they were given (of a large one after its first thinning), evenly over their order, are asked
+   * for a partner: the nearest fine point of the other cloud, not more than leaf_fine away. NaN
+   * when interrupted */
+  double overlap_source; /* share of the source's points that have a partner */
+  double overlap_target;
+  double inlier_rmse;       /* root mean square over the source's points that have one, of the
+                               distance to it (point to point), user's unit; NaN when none has */
+  double inlier_rmse_plane; /* the same of the distance to the partner's tangent plane, which does
+                               not grow with the spacing of the points */
 
   /* counts */
   size_t points_source; /* finite */
@@ -293,6 +302,7 @@ typedef struct emtr_result {
   double center_target[3];
   double leaf_sparse; /* normalised frame */
   double leaf_dense;
+  double leaf_fine; /* NaN when interrupted */
 
   /* wall seconds */
   double seconds_frame;
@@ -352,6 +362,18 @@ EMTR_API void emtr_result_free(emtr_result* result);
 EMTR_API emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
                                    const emtr_settings* settings, emtr_progress_fn progress,
                                    void* user, emtr_result** result);
+
+/* ---- residuals ---------------------------------------------------------------------- */
+
+/* How far each point is from the other cloud, once `transformation` (source into target, null for
+ * the identity) has moved the source: the distance to the nearest point, in the user's unit. Exact
+ * to 1e-6 of the other cloud's size, for clouds of any shape with one finite point or more; NaN
+ * for points with a NaN or an infinity. of_source has room for source->count numbers, of_target
+ * for target->count; null for what is not wanted. `threads` as in the settings, without influence
+ * on the numbers. */
+EMTR_API emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
+                                    const double transformation[16], int32_t threads,
+                                    double* of_source, double* of_target);
 
 /* ---- one cloud, many partners ------------------------------------------------------- */
 
