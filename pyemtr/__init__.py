@@ -21,6 +21,19 @@ from .tasks import TaskAlpha, TaskBeta
 
 __version__: str = _emtr.version()
 
-__all__ = ["Alternative", "Cloud", "Problem", "Progress", "Result", "Setting", "TaskAlpha",
-           "TaskBeta", "kernel_name", "presets", "register", "residuals", "settings",
-           "__version__"]
+__all__ = [
+    "Alternative",
+    "Cloud",
+    "Problem",
+    "Progress",
+    "Result",
+    "Setting",
+    "TaskAlpha",
+    "TaskBeta",
+    "__version__",
+    "kernel_name",
+    "presets",
+    "register",
+    "residuals",
+    "settings",
+]

@@ -11,8 +11,9 @@ from .arrays import Floats, as_points, as_transformation
 from .options import thread_setting
 
 
-def residuals(source: Any, target: Any, transformation: Any = None, *, of: str = "source",
-              threads: int = 0) -> Floats:
+def residuals(
+    source: Any, target: Any, transformation: Any = None, *, of: str = "source", threads: int = 0
+) -> Floats:
     """The distance of each point to the nearest point of the other cloud.
 
     Args:
@@ -38,8 +39,9 @@ def residuals(source: Any, target: Any, transformation: Any = None, *, of: str =
     if of not in ("source", "target"):
         raise ValueError(f'of: expected "source" or "target", got {of!r}')
     clouds = as_points(source, "source"), as_points(target, "target")
-    pose = np.eye(4) if transformation is None else as_transformation(transformation,
-                                                                      "transformation")
+    pose = (
+        np.eye(4) if transformation is None else as_transformation(transformation, "transformation")
+    )
     out = np.empty(len(clouds[of == "target"]), dtype=np.float64)
     _emtr.residuals(*clouds, pose.reshape(16), thread_setting(threads), of == "target", out)
     return out

@@ -17,6 +17,7 @@ def distances(moved: np.ndarray, target: np.ndarray) -> np.ndarray:
 @pytest.fixture
 def expected(pair, tmp_path):
     """Of the pose that was written."""
+
     def call() -> np.ndarray:
         T = np.loadtxt(tmp_path / "T.txt")
         source, target = (read_pcd(tmp_path / name)[0] for name in ("a.pcd", "b.pcd"))
@@ -40,11 +41,14 @@ def test_their_spread_is_in_the_report(run, clouds, tmp_path, expected):
     assert done.returncode == 0, done.stderr
     found, wanted = json.loads((tmp_path / "r.json").read_text())["residuals"], expected()
     assert found["count"] == len(wanted)
-    for name, value in [("mean", wanted.mean()), ("rms", np.sqrt((wanted**2).mean())),
-                        ("median", np.quantile(wanted, 0.5, method="lower")),
-                        ("quantile_90", np.quantile(wanted, 0.9, method="lower")),
-                        ("quantile_95", np.quantile(wanted, 0.95, method="lower")),
-                        ("maximum", wanted.max())]:
+    for name, value in [
+        ("mean", wanted.mean()),
+        ("rms", np.sqrt((wanted**2).mean())),
+        ("median", np.quantile(wanted, 0.5, method="lower")),
+        ("quantile_90", np.quantile(wanted, 0.9, method="lower")),
+        ("quantile_95", np.quantile(wanted, 0.95, method="lower")),
+        ("maximum", wanted.max()),
+    ]:
         assert found[name] == pytest.approx(value, abs=5e-6), name
 
 

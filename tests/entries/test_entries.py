@@ -19,8 +19,11 @@ DATA = Path(os.environ.get("EMTR_DATA", ROOT.parent / "shared" / "data"))
 PROGRAM, COMMAND = BUILD / "tests" / "entries" / "entries", BUILD / "tools" / "pcl_emtr"
 PAIRS = ["generated", "stanford/bunny_045_000", "fgr/angel_n1_18", "uwa/trex_03_01"]
 AGREEMENT = ("overlap_source", "overlap_target", "inlier_rmse", "inlier_rmse_plane")
-CASES = [*[(pair, preset) for pair in PAIRS for preset in ("default", "paper")],
-         ("generated", "fast"), ("uwa/trex_03_01", "thorough")]
+CASES = [
+    *[(pair, preset) for pair in PAIRS for preset in ("default", "paper")],
+    ("generated", "fast"),
+    ("uwa/trex_03_01", "thorough"),
+]
 
 
 def read_ply(path: Path) -> np.ndarray:
@@ -40,39 +43,67 @@ def generated() -> tuple[np.ndarray, np.ndarray]:
 
 
 def write_pcd(path: Path, points: np.ndarray) -> Path:
-    header = ("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
-              f"WIDTH {len(points)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(points)}\n"
-              "DATA binary\n")
+    header = (
+        "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+        f"WIDTH {len(points)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(points)}\n"
+        "DATA binary\n"
+    )
     path.write_bytes(header.encode() + points.astype("<f4").tobytes())
     return path
 
 
-def by_programs(source: Path, target: Path, threads: int, seed: int,
-                preset: str) -> list[np.ndarray]:
+def by_programs(
+    source: Path, target: Path, threads: int, seed: int, preset: str
+) -> list[np.ndarray]:
     words = [str(PROGRAM), str(source), str(target), str(threads), str(seed), preset]
     printed = subprocess.run(words, capture_output=True, text=True, check=True, timeout=300).stdout
-    return [np.array([float.fromhex(word) for word in line.split()])
-            for line in printed.splitlines()]
+    return [
+        np.array([float.fromhex(word) for word in line.split()]) for line in printed.splitlines()
+    ]
 
 
 def by_shell(source: Path, target: Path, threads: int, seed: int, preset: str) -> np.ndarray:
-    words = [str(COMMAND), str(source), str(target), "--threads", str(threads), "--seed", str(seed),
-             "--preset", preset, "--report", "report.json", "--aligned", "moved.pcd",
-             "--residuals"]
-    done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=300,
-                          cwd=source.parent)
+    words = [
+        str(COMMAND),
+        str(source),
+        str(target),
+        "--threads",
+        str(threads),
+        "--seed",
+        str(seed),
+        "--preset",
+        preset,
+        "--report",
+        "report.json",
+        "--aligned",
+        "moved.pcd",
+        "--residuals",
+    ]
+    done = subprocess.run(
+        words, capture_output=True, text=True, check=False, timeout=300, cwd=source.parent
+    )
     assert done.returncode in (0, 3), done.stderr
     quality = json.loads((source.parent / "report.json").read_text())["quality"]
     data = (source.parent / "moved.pcd").read_bytes().split(b"DATA binary\n", 1)[1]
     residuals = np.frombuffer(data, "<f4").reshape(-1, 4)[:, 3]
-    return np.concatenate([np.array(done.stdout.split(), dtype=float),
-                           [quality[name] for name in AGREEMENT], residuals])
+    return np.concatenate(
+        [
+            np.array(done.stdout.split(), dtype=float),
+            [quality[name] for name in AGREEMENT],
+            residuals,
+        ]
+    )
 
 
 def by_python(source: np.ndarray, target: np.ndarray, **arguments: Any) -> np.ndarray:
     found = pyemtr.register(source, target, **arguments)
-    return np.concatenate([found.transformation.ravel(), [getattr(found, n) for n in AGREEMENT],
-                           found.residuals(source, target)])
+    return np.concatenate(
+        [
+            found.transformation.ravel(),
+            [getattr(found, n) for n in AGREEMENT],
+            found.residuals(source, target),
+        ]
+    )
 
 
 @pytest.mark.parametrize("pair, preset", CASES)
@@ -86,13 +117,17 @@ def test_same_bits(pair: str, preset: str, tmp_path: Path) -> None:
         pytest.skip(f"no real scans at {folder}: set EMTR_DATA")
     else:
         clouds = read_ply(folder / "source.ply"), read_ply(folder / "target.ply")
-    files = (write_pcd(tmp_path / "source.pcd", clouds[0]),
-             write_pcd(tmp_path / "target.pcd", clouds[1]))
+    files = (
+        write_pcd(tmp_path / "source.pcd", clouds[0]),
+        write_pcd(tmp_path / "target.pcd", clouds[1]),
+    )
 
     first = by_python(*clouds, seed=5, threads=1, preset=preset)
     for threads in (1, 2, 4, 8):
-        found = [by_python(*clouds, seed=5, threads=threads, preset=preset),
-                 *by_programs(*files, threads, 5, preset)]
+        found = [
+            by_python(*clouds, seed=5, threads=threads, preset=preset),
+            *by_programs(*files, threads, 5, preset),
+        ]
         assert len(found) == 4
         for numbers in found:
             np.testing.assert_array_equal(numbers, first)

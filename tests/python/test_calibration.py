@@ -7,7 +7,6 @@ import accuracy_fakes
 import numpy as np
 import pytest
 from accuracy_fakes import FakeEngine
-
 from emtr_bench import accuracy
 from emtr_bench.calibration import program
 from emtr_bench.calibration.arguments import parser
@@ -96,7 +95,7 @@ def test_files_of_one_preset_are_taken_together(files):
 def test_what_is_no_such_file_is_named(tmp_path):
     other = tmp_path / "other.json"
     other.write_text('{"benchmark": "stages"}')
-    with pytest.raises(DataError, match="other.json: not written by accuracy"):
+    with pytest.raises(DataError, match=r"other\.json: not written by accuracy"):
         read([other])
     other.write_text("no JSON")
     for path in (other, tmp_path / "none.json"):

@@ -9,8 +9,6 @@ from pathlib import Path
 import accuracy_fakes
 import pytest
 from accuracy_fakes import FakeEngine
-from peers_fakes import FakeMethod
-
 from emtr_bench import accuracy, pairs, records
 from emtr_bench.calibration.figures import calibration
 from emtr_bench.calibration.judged import Judged
@@ -19,6 +17,7 @@ from emtr_bench.document.page import page
 from emtr_bench.document.parts import NAMES, Part, all_parts
 from emtr_bench.locations import REPOSITORY
 from emtr_bench.peers import output, runs
+from peers_fakes import FakeMethod
 
 MACHINE = {"date": "today", "revision": "abc", "load average": "0.1", "cpu": "a fine one"}
 QUARTILES = {"low": 0.01, "median": 0.02, "high": 0.03}
@@ -46,9 +45,11 @@ def test_each_preset_has_the_protocol_and_every_pair():
     for preset in ("paper", "fast"):
         assert (f"tools/bench/accuracy --preset {preset} --tier paper --transforms 20 --threads 2 "
                 f"--json=build/bench/accuracy-{preset}-paper.json") in lines  # fmt: skip
-    assert ("tools/bench/calibration build/bench/accuracy-paper-all.json "
-            "build/bench/accuracy-fast-all.json --plot=build/bench/calibration.png "
-            "--json=build/bench/calibration.json") in lines
+    assert (
+        "tools/bench/calibration build/bench/accuracy-paper-all.json "
+        "build/bench/accuracy-fast-all.json --plot=build/bench/calibration.png "
+        "--json=build/bench/calibration.json"
+    ) in lines
     assert "tools/bench/regress --json=build/bench/regress.json" in lines
     assert len({part.json for part in parts}) == len(parts)
 

@@ -1,10 +1,11 @@
 """How far the points of one cloud are from the other, against scipy's kd-tree."""
 
 import numpy as np
-import pyemtr
 import pytest
 import shapes
 from scipy.spatial import cKDTree
+
+import pyemtr
 
 
 @pytest.fixture(scope="module")
@@ -33,10 +34,16 @@ def test_a_result_measures_at_its_own_pose(pair, solved):
     expected = nearest(moved, pair.target)
     found = solved.residuals(pair.source, pair.target)
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-6)
-    assert found.tobytes() == pyemtr.residuals(pair.source, pair.target,
-                                               solved.transformation).tobytes()
-    np.testing.assert_allclose(solved.residuals(pair.source, pair.target, of="target"),
-                               nearest(pair.target, moved), rtol=0, atol=1e-6)
+    assert (
+        found.tobytes()
+        == pyemtr.residuals(pair.source, pair.target, solved.transformation).tobytes()
+    )
+    np.testing.assert_allclose(
+        solved.residuals(pair.source, pair.target, of="target"),
+        nearest(pair.target, moved),
+        rtol=0,
+        atol=1e-6,
+    )
     np.testing.assert_allclose(pyemtr.residuals(moved, pair.target), expected, rtol=0, atol=1e-6)
 
 
@@ -58,8 +65,12 @@ def test_dropped_points_have_none(pair):
     back = pyemtr.residuals(source, target, pair.truth, of="target")
     assert np.flatnonzero(np.isnan(back)).tolist() == [5]
     kept = np.delete(source, [2, 90], axis=0)
-    np.testing.assert_allclose(np.delete(back, 5), nearest(
-        np.delete(pair.target, 5, axis=0), shapes.apply(pair.truth, kept)), rtol=0, atol=1e-6)
+    np.testing.assert_allclose(
+        np.delete(back, 5),
+        nearest(np.delete(pair.target, 5, axis=0), shapes.apply(pair.truth, kept)),
+        rtol=0,
+        atol=1e-6,
+    )
 
 
 def test_small_clouds_will_do():
@@ -67,14 +78,18 @@ def test_small_clouds_will_do():
     assert pyemtr.residuals(np.zeros((0, 3)), [[1.0, 2.0, 5.0]]).shape == (0,)
 
 
-@pytest.mark.parametrize("arguments, changes, error, text", [
-    ((np.zeros((3, 9)), np.zeros((9, 3))), {}, ValueError, "source: .*transpose"),
-    ((np.zeros((9, 3)), np.zeros((0, 3))), {}, ValueError, "target cloud: no finite point"),
-    ((np.zeros((9, 3)), np.zeros((9, 3)), np.ones((4, 4))), {}, ValueError, "transformation"),
-    ((np.zeros((9, 3)), np.zeros((9, 3)), np.full((4, 4), np.nan)), {}, ValueError, "NaN"),
-    ((np.zeros((9, 3)), np.zeros((9, 3))), {"of": "both"}, ValueError, "of: .*'both'"),
-    ((np.zeros((9, 3)), np.zeros((9, 3))), {"threads": -1}, ValueError, "threads"),
-    ((np.full((9, 3), 1e9), np.eye(3)), {}, ValueError, "million")])
+@pytest.mark.parametrize(
+    "arguments, changes, error, text",
+    [
+        ((np.zeros((3, 9)), np.zeros((9, 3))), {}, ValueError, "source: .*transpose"),
+        ((np.zeros((9, 3)), np.zeros((0, 3))), {}, ValueError, "target cloud: no finite point"),
+        ((np.zeros((9, 3)), np.zeros((9, 3)), np.ones((4, 4))), {}, ValueError, "transformation"),
+        ((np.zeros((9, 3)), np.zeros((9, 3)), np.full((4, 4), np.nan)), {}, ValueError, "NaN"),
+        ((np.zeros((9, 3)), np.zeros((9, 3))), {"of": "both"}, ValueError, "of: .*'both'"),
+        ((np.zeros((9, 3)), np.zeros((9, 3))), {"threads": -1}, ValueError, "threads"),
+        ((np.full((9, 3), 1e9), np.eye(3)), {}, ValueError, "million"),
+    ],
+)
 def test_bad_arguments_are_refused(arguments, changes, error, text):
     with pytest.raises(error, match=text):
         pyemtr.residuals(*arguments, **changes)
