@@ -5,6 +5,7 @@
 
 #include "error.h"
 #include "stopwatch.h"
+#include "verdict/agreement.h"
 #include "verdict/verdict.h"
 
 namespace emtr {
@@ -25,10 +26,9 @@ std::unique_ptr<Result> Registration::run() {
   Result& r = *result_;
   describe_problem();
   if (!stopped_) search();
-  {
-    const Timed timed(r.seconds_verdict);
-    if (answer_) conclude();
-  }
+  Stopwatch watch;
+  if (answer_) conclude();
+  r.seconds_verdict += watch.lap();
   if (stopped_) r.reason = watch_.late() ? EMTR_REASON_TIME_LIMIT : EMTR_REASON_INTERRUPTED;
   r.iterations = r.alpha.size();
   r.history_alpha = r.alpha.data();
@@ -68,6 +68,8 @@ void Registration::search() {
       refine();
     }
     enter("verdict");
+    const Timed timed(r.seconds_verdict);
+    conclude_agreement();
   } catch (const Stopped&) {
     stopped_ = true;
     salvage();
@@ -125,7 +127,9 @@ void Registration::describe_problem() {
   std::fill_n(r.hold_directions, 36, kUnknown);
   r.free_directions = -1;
   r.reason = EMTR_REASON_INTERRUPTED;
-  r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.inlier_rmse = r.mode_gap = kUnknown;
+  r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.mode_gap = kUnknown;
+  r.overlap_source = r.overlap_target = r.inlier_rmse = r.inlier_rmse_plane = kUnknown;
+  r.leaf_fine = kUnknown;
   r.confidence = r.score = r.fit = r.violation = r.score_gap = kUnknown;
 }
 
@@ -189,8 +193,15 @@ bool Registration::unsure() const {
   return settings_.escalation == Always || standing_.confidence < settings_.escalation_confidence;
 }
 
+const FineSurfaces& Registration::fine() {
+  if (!fine_)
+    fine_ = std::make_unique<FineSurfaces>(
+        fine_surfaces(problem_.pair, settings_.refine_leaf, problem_.kernels));
+  return *fine_;
+}
+
 void Registration::refine() {
-  refined_ = emtr::refine(problem_.pair, *answer_, settings_, problem_.kernels);
+  refined_ = emtr::refine(fine(), *answer_, settings_, problem_.kernels);
   answer_ = refined_.pose;
 }
 
@@ -204,7 +215,6 @@ void Registration::conclude() {
   r.fitness = v.fitness;
   r.inlier_ratio_source = v.inlier_ratio_source;
   r.inlier_ratio_target = v.inlier_ratio_target;
-  r.inlier_rmse = v.inlier_rmse * problem_.frame.scale;
   r.mode_gap = v.mode_gap;
   to_matrix(problem_.frame.to_user(*answer_), r.transformation);
   r.alpha = evolution_.history_alpha;
@@ -250,6 +260,16 @@ void Registration::conclude_refinement() {
     r.hold[i] = refined_.spectrum.values[i];
     std::copy_n(refined_.spectrum.directions[i], 6, r.hold_directions + 6 * i);
   }
+}
+
+void Registration::conclude_agreement() {
+  Result& r = *result_;
+  const Agreement agreement = agree(problem_.pair, fine(), *answer_, problem_.kernels);
+  r.leaf_fine = fine().leaf();
+  r.overlap_source = agreement.overlap_source;
+  r.overlap_target = agreement.overlap_target;
+  r.inlier_rmse = agreement.rmse * r.scale;
+  r.inlier_rmse_plane = agreement.plane_rmse * r.scale;
 }
 
 }  // namespace emtr

@@ -28,10 +28,12 @@ class Registration {
   void settle();   ///< on the best candidate
   void salvage();  ///< what is known of the best pose when the work was stopped in its midst
   bool unsure() const;
+  const FineSurfaces& fine();
   void refine();
   void conclude();
   void conclude_candidates();
   void conclude_refinement();
+  void conclude_agreement();
   std::vector<Rigid> guess() const;
 
   const Problem& problem_;
@@ -44,6 +46,7 @@ class Registration {
   std::optional<Rigid> answer_;  ///< normalised frame; the best pose so far
   Standing standing_;
   bool ranked_ = false;  ///< whether all candidates are, so that the standing means something
+  std::unique_ptr<FineSurfaces> fine_;  ///< made when first asked for
   Refined refined_;
   bool stopped_ = false;
 };

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 namespace {
 
@@ -24,16 +25,11 @@ void print(const char* name, const Value* values, std::size_t n) {
   std::printf("\n");
 }
 
-const char* reason_name(emtr_reason reason) {
-  const char* const names[] = {"registered",  "low_overlap", "ambiguous", "few_matches",
-                               "interrupted", "degenerate",  "time_limit"};
-  return names[reason];
-}
-
-void print(const emtr_result& r) {
-  std::printf("result\nreason %s\n", reason_name(r.reason));
+void print(const emtr_result& r, const std::vector<double>& residuals) {
+  std::printf("result\nreason %s\n", emtr_reason_name(r.reason));
 #define SCALAR(field) print(#field, &r.field, 1)
   SCALAR(registered), SCALAR(fitness), SCALAR(inlier_ratio_source), SCALAR(inlier_ratio_target);
+  SCALAR(overlap_source), SCALAR(overlap_target), SCALAR(inlier_rmse_plane), SCALAR(leaf_fine);
   SCALAR(inlier_rmse), SCALAR(mode_gap), SCALAR(points_source), SCALAR(points_target);
   SCALAR(dropped_source), SCALAR(dropped_target), SCALAR(sparse_source), SCALAR(dense_source);
   SCALAR(dense_target), SCALAR(correspondences), SCALAR(tims), SCALAR(tims_pruned);
@@ -54,6 +50,9 @@ void print(const emtr_result& r) {
   print("hold_directions", r.hold_directions, 36);
   const std::uint64_t lookups[] = {r.lookups_evaluation, r.lookups_switch, r.lookups_complement};
   print("lookups", lookups, 3);
+  print("residuals", residuals.data(), residuals.size());
+  const std::vector<float> single(residuals.begin(), residuals.end());
+  print("residuals_single", single.data(), single.size());
 }
 
 bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& chosen) {
@@ -70,7 +69,7 @@ bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& 
     emtr_result result = *registration.getResult();
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> T = registration.getFinalTransformation();
     std::copy_n(T.data(), 16, result.transformation);
-    print(result);
+    print(result, registration.getSourceResiduals());
   }
   return true;
 }
@@ -87,7 +86,11 @@ int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen) {
     std::fprintf(stderr, "%s\n", emtr_error_message());
     return 1;
   }
-  print(*result);
+  std::vector<double> residuals(source.size());
+  if (emtr_residuals(&from, &to, result->transformation, chosen.threads, residuals.data(),
+                     nullptr) != EMTR_OK)
+    return 1;
+  print(*result, residuals);
   emtr_result_free(result);
   return 0;
 }

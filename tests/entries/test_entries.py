@@ -8,14 +8,12 @@ from pathlib import Path
 
 import pytest
 
-import pyemtr
-
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 from bit_table import clouds, kernels  # noqa: E402
 from bit_table.builds import Build  # noqa: E402
-from bit_table.fields import Fields, differing, of_result  # noqa: E402
+from bit_table.fields import Fields, differing  # noqa: E402
 from bit_table.program import results  # noqa: E402
 from bit_table.runs import Run  # noqa: E402
 
@@ -51,17 +49,9 @@ def changed(run: Run, **changes: object) -> Run:
 
 
 def by_pyemtr(run: Run) -> Fields:
-    from bit_table.python_run import read_pcd
+    from bit_table import python_run
 
-    return of_result(
-        pyemtr.register(
-            read_pcd(str(run.source)),
-            read_pcd(str(run.target)),
-            seed=run.seed,
-            threads=run.threads,
-            preset=run.preset,
-        )
-    )
+    return python_run.run(str(run.source), str(run.target), run.threads, run.seed, run.preset)
 
 
 def expect_same(found: dict[str, Fields], wanted: Fields, where: str) -> None:

@@ -15,16 +15,17 @@ SCALARS = [
     *("dropped_target", "sparse_source", "dense_source", "dense_target", "correspondences"),
     *("tims", "tims_pruned", "scale", "leaf_sparse", "leaf_dense", "iterations", "confidence"),
     *("score", "fit", "violation", "score_gap", "seeds", "candidates", "escalated", "refined"),
-    "free_directions",
+    *("free_directions", "overlap_source", "overlap_target", "inlier_rmse_plane", "leaf_fine"),
 ]
 LISTS = [
     *("transformation", "center_source", "center_target", "history_alpha", "history_beta"),
     *("alternatives", "information", "hold", "hold_directions", "lookups"),
+    *("residuals", "residuals_single"),  # of the source; single: as a file holds them
 ]
 
 
-def of_result(result: Any) -> Fields:
-    """Of a pyemtr.Result."""
+def of_result(result: Any, residuals: Any) -> Fields:
+    """Of a pyemtr.Result and the residuals of its source, float64 (n,)."""
     values = {name: getattr(result, name) for name in SCALARS}
     values |= {name: _flat(getattr(result, name)) for name in LISTS[:3]}
     values["history_alpha"] = _flat(result.history["alpha"])
@@ -34,11 +35,13 @@ def of_result(result: Any) -> Fields:
     values |= {name: _flat(getattr(result, name)) for name in LISTS[6:9]}
     lookups = result.lookups
     values["lookups"] = [lookups["evaluation"], lookups["switch"], lookups["complement"]]
+    values["residuals"] = residuals.tolist()
+    values["residuals_single"] = residuals.astype("float32").tolist()
     return _canonical(values)
 
 
-def of_report(report: Mapping[str, Any]) -> Fields:
-    """Of the report of pcl_emtr, read by json."""
+def of_report(report: Mapping[str, Any], residuals: Any) -> Fields:
+    """Of the report of pcl_emtr, read by json, and the residuals in its cloud, float32 (n,)."""
     whole = {**report, **report["quality"], **report["counts"], **report["frame"]}
     refinement, lookups = report["refinement"] or {}, report["lookups"]  # none when not refined
     whole["free_directions"] = refinement.get("free_directions")
@@ -54,6 +57,7 @@ def of_report(report: Mapping[str, Any]) -> Fields:
         given = refinement.get(name)
         values[name] = _flat(given) if given is not None else [math.nan] * length
     values["lookups"] = [lookups["evaluation"], lookups["switch"], lookups["complement"]]
+    values["residuals_single"] = residuals.tolist()
     return _canonical(values)
 
 
@@ -73,7 +77,9 @@ def of_lines(text: str) -> list[Fields]:
 
 
 def differing(one: Fields, other: Fields) -> list[str]:
-    return [name for name in SCALARS + LISTS if one[name] != other[name]]
+    """Names of what is not the same; the shell has no residuals but single ones."""
+    both = [name for name in SCALARS + LISTS if name in one and name in other]
+    return [name for name in both if one[name] != other[name]]
 
 
 def _canonical(values: dict[str, Any]) -> Fields:
@@ -87,7 +93,8 @@ def _canonical(values: dict[str, Any]) -> Fields:
         else:
             out[name] = _bits(float(value))
     for name in LISTS:
-        out[name] = " ".join(_bits(float(math.nan if v is None else v)) for v in values[name])
+        if name in values:
+            out[name] = " ".join(_bits(float(math.nan if v is None else v)) for v in values[name])
     return out
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import pyemtr
 
 from .clouds import Points
-from .fields import of_result
+from .fields import Fields, of_result
 
 
 def read_pcd(path: str) -> Points:
@@ -19,9 +19,12 @@ def read_pcd(path: str) -> Points:
     return np.frombuffer(data, "<f4").reshape(-1, 3)
 
 
+def run(source: str, target: str, threads: int, seed: int, preset: str) -> Fields:
+    clouds = read_pcd(source), read_pcd(target)
+    result = pyemtr.register(*clouds, threads=threads, seed=seed, preset=preset)
+    return of_result(result, result.residuals(*clouds))
+
+
 if __name__ == "__main__":
     source, target, threads, seed, preset = sys.argv[1:]
-    result = pyemtr.register(
-        read_pcd(source), read_pcd(target), threads=int(threads), seed=int(seed), preset=preset
-    )
-    json.dump(of_result(result), sys.stdout)
+    json.dump(run(source, target, int(threads), int(seed), preset), sys.stdout)

@@ -10,6 +10,8 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from .fields import Fields, of_lines, of_report
 
 TOOLS = Path(__file__).resolve().parents[1]
@@ -46,9 +48,13 @@ def by_shell(command: Path, run: Run) -> Fields:
         report, matrix = Path(folder, "report.json"), Path(folder, "T.txt")
         words = [str(run.source), str(run.target), "--threads", str(run.threads)]
         words += ["--seed", str(run.seed), "--preset", run.preset, "--quiet"]
+        moved = Path(folder, "moved.pcd")
         words += ["--report", str(report), "-o", str(matrix)]
+        words += ["--aligned", str(moved), "--residuals"]
         _output([str(command), *words], run.environment, (0, 3))
-        return of_report(json.loads(report.read_text()))
+        data = moved.read_bytes().split(b"DATA binary\n", 1)[1]
+        residuals = np.frombuffer(data, "<f4").reshape(-1, 4)[:, 3]  # after x, y, z
+        return of_report(json.loads(report.read_text()), residuals)
 
 
 def by_python(run: Run, package: Path | None = None) -> Fields:
