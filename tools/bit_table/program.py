@@ -22,8 +22,9 @@ def parse() -> argparse.Namespace:
         prog="tools/bits",
         description="Builds emtr by gcc and clang at -O0, -O2 and -O3 into build/bits, registers "
         "five real pairs and a generated one by the class, C, the shell and Python with 1 to 8 "
-        "threads and each instruction set, and compares everything that the results say, to the "
-        "last bit. Status 1 when anything differs. Takes an hour or two; the options take less.",
+        "threads and each instruction set, and once as on a machine whose mathematics library does "
+        "without FMA, and compares everything that the results say, to the last bit. Status 1 when "
+        "anything differs. Takes an hour or two; the options take less.",
     )
     parser.add_argument("--compilers", nargs="+", choices=list(builds.COMPILERS))
     parser.add_argument("--levels", nargs="+", choices=[level[1:] for level in builds.LEVELS])
@@ -55,6 +56,12 @@ def all_builds(arguments: argparse.Namespace) -> Iterator[Build]:
                 yield builds.make(compiler, level)
 
 
+def variants(names: list[str], threads: list[int]) -> Iterator[tuple[str, int, bool]]:
+    """Instruction set, threads, and whether the mathematics library is that of an old machine."""
+    yield from ((name, count, False) for name in names for count in threads)
+    yield names[0], threads[0], True
+
+
 def results(build: Build, run: Run) -> dict[str, Fields]:
     out = by_programs(build.program, run)
     out["shell"] = by_shell(build.command, run)
@@ -84,15 +91,15 @@ def table(arguments: argparse.Namespace) -> int:
             for pair, (source, target) in pairs.items():
                 for preset in arguments.presets:
                     differ, count = [], 0
-                    for kernel in names:
-                        for threads in arguments.threads:
-                            run = Run(source, target, preset, 5, threads, kernel)
-                            for way, fields in results(build, run).items():
-                                here = f"{build.name}, {kernel}, {threads} threads, {way}"
-                                there, wanted = first.setdefault((pair, preset), (here, fields))
-                                count += 1
-                                if off := differing(wanted, fields):
-                                    differ.append(f"  {here} against {there}: {', '.join(off)}")
+                    for kernel, threads, old_libm in variants(names, arguments.threads):
+                        run = Run(source, target, preset, 5, threads, kernel, old_libm)
+                        libm = ", old libm" if old_libm else ""
+                        for way, fields in results(build, run).items():
+                            here = f"{build.name}, {kernel}, {threads} threads{libm}, {way}"
+                            there, wanted = first.setdefault((pair, preset), (here, fields))
+                            count += 1
+                            if off := differing(wanted, fields):
+                                differ.append(f"  {here} against {there}: {', '.join(off)}")
                     compared, wrong = compared + count, wrong + len(differ)
                     verdict = f"{len(differ)} DIFFER" if differ else "same bits"
                     print(f"{build.name:12} {pair:26} {preset:8} {count:4} {verdict}", flush=True)

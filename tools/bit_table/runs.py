@@ -25,10 +25,13 @@ class Run:
     seed: int = 5
     threads: int = 1
     kernel: str = ""  # of EMTR_KERNEL; "" for the best of this machine
+    old_libm: bool = False  # glibc's sines, logarithms etc. as for a machine without FMA
 
     @property
     def environment(self) -> dict[str, str]:
         out = {name: value for name, value in os.environ.items() if name != "EMTR_KERNEL"}
+        if self.old_libm:
+            out["GLIBC_TUNABLES"] = "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2"
         return out | ({"EMTR_KERNEL": self.kernel} if self.kernel else {})
 
 
