@@ -11,7 +11,7 @@ from typing import Any, Mapping, Union
 import numpy as np
 
 from . import _emtr
-from .arrays import as_transformation, as_vector
+from .arrays import as_correspondences, as_transformation, as_vector
 
 Value = Union[int, float, bool, str]
 
@@ -79,6 +79,13 @@ def make_settings(seed: int, threads: int, preset: str, guess: Any, changes: Map
     return chosen
 
 
+def take_correspondences(chosen: _emtr.Settings, correspondences: Any) -> bool:
+    """Hands them in; whether there are any. Raises as :func:`as_correspondences`."""
+    if correspondences is not None:
+        chosen.correspondences = as_correspondences(correspondences)
+    return correspondences is not None
+
+
 def settings_used(chosen: _emtr.Settings) -> dict[str, Any]:
     """All settings by name, as keyword arguments that repeat the run; poses: lists or None."""
     used: dict[str, Any] = {}
@@ -137,7 +144,9 @@ def _seed(value: Any) -> int:
     return whole
 
 
-_OWN = ["preset", "guess", "source_viewpoint", "target_viewpoint"]  # that the table leaves out
+# that the table leaves out
+_OWN = ["preset", "guess", "source_viewpoint", "target_viewpoint", "source_normals",
+        "target_normals", "source_features", "target_features", "correspondences"]
 
 
 def _unknown(name: str, known: list[str]) -> str:

@@ -24,7 +24,11 @@ struct FineSurfaces {
 FineSurfaces fine_surfaces(const NormalisedPair& pair, double leaf) {
   FineSurfaces out;
   for (int attempt = 0;; ++attempt) {
-    out = {thin_surface(pair.source, leaf), thin_surface(pair.target, leaf)};
+    const auto thin = [&](const Cloud& cloud, const Cloud& normals) {
+      return normals.size() ? thin_surface(cloud, normals, leaf) : thin_surface(cloud, leaf);
+    };
+    out = {thin(pair.source, pair.prepared_source->normals),
+           thin(pair.target, pair.prepared_target->normals)};
     const auto filling = [](const Cloud& points, const Surface& surface) {
       return static_cast<double>(points.size()) / static_cast<double>(surface.points.size());
     };
