@@ -1,16 +1,15 @@
 from typing import Any, Callable, final
 
-from numpy.typing import NDArray
 import numpy as np
+from numpy.typing import NDArray
+from typing_extensions import TypeAlias
 
-_Callback = Callable[..., Any] | None
+_Callback: TypeAlias = Callable[..., Any] | None
 
 def version() -> str: ...
 def kernel_name() -> str: ...
 def preset_names() -> list[str]: ...
-def describe_settings() -> list[
-    tuple[str, str, str, float, float, float, str, str, str]
-]: ...
+def describe_settings() -> list[tuple[str, str, str, float, float, float, str, str, str]]: ...
 
 @final
 class Settings:
@@ -38,8 +37,11 @@ class Settings:
 @final
 class CloudBuffer:
     def __init__(
-        self, points: NDArray[Any], normals: NDArray[Any] | None = None,
-        features: NDArray[np.float32] | None = None, keep_points: bool = False
+        self,
+        points: NDArray[Any],
+        normals: NDArray[Any] | None = None,
+        features: NDArray[np.float32] | None = None,
+        keep_points: bool = False,
     ) -> None: ...
 
 @final
@@ -47,7 +49,7 @@ class Prepared:
     def __init__(self, buffer: CloudBuffer, name: str, threads: int) -> None: ...
     def describe(self) -> dict[str, Any]: ...
 
-_Cloud = CloudBuffer | Prepared
+_Cloud: TypeAlias = CloudBuffer | Prepared
 
 def register(
     source: _Cloud, target: _Cloud, settings: Settings, callback: _Callback

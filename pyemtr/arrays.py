@@ -40,8 +40,9 @@ def as_normals(normals: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
     """
     array = _rows(normals, name, points)
     if array.shape[1] != 3:
-        raise ValueError(f"{name}: expected an array of shape ({len(points)}, 3), got"
-                         f" {array.shape}")
+        raise ValueError(
+            f"{name}: expected an array of shape ({len(points)}, 3), got {array.shape}"
+        )
     return _side_by_side(array.astype(points.dtype, copy=False))
 
 
@@ -68,8 +69,10 @@ def as_correspondences(pairs: Any, name: str = "correspondences") -> NDArray[np.
     """
     array = _real_array(pairs, name)
     if array.ndim != 2 or array.shape[1] != 2 or array.shape[0] == 0:
-        raise ValueError(f"{name}: expected an array of shape (K, 2), one pair of rows of source"
-                         f" and target a row, got {array.shape}")
+        raise ValueError(
+            f"{name}: expected an array of shape (K, 2), one pair of rows of source"
+            f" and target a row, got {array.shape}"
+        )
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: expected whole numbers, got dtype {array.dtype}")
     outside = ((array < 0) | (array > np.iinfo(np.int32).max)).any(axis=1)
@@ -109,8 +112,10 @@ def _rows(values: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
     """A row a point, of any real type."""
     array = _real_array(values, name)
     if array.ndim != 2 or array.shape[0] != len(points):
-        raise ValueError(f"{name}: expected one row for each of the {len(points)} points, got an"
-                         f" array of shape {array.shape}")
+        raise ValueError(
+            f"{name}: expected one row for each of the {len(points)} points, got an"
+            f" array of shape {array.shape}"
+        )
     return array
 
 
@@ -128,8 +133,10 @@ def _real_array(values: Any, name: str) -> NDArray[Any]:
     except ValueError as error:
         raise ValueError(f"{name}: expected an array of numbers: {error}") from error
     if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: expected an array of real numbers, got dtype {array.dtype}"
-                        f" ({type(values).__name__})")
+        raise TypeError(
+            f"{name}: expected an array of real numbers, got dtype {array.dtype}"
+            f" ({type(values).__name__})"
+        )
     if isinstance(values, np.ma.MaskedArray):
         return np.where(np.ma.getmaskarray(values), np.nan, array)
     return array
@@ -138,7 +145,8 @@ def _real_array(values: Any, name: str) -> NDArray[Any]:
 def _shaped(values: Any, name: str, shape: tuple[int | None, ...]) -> Floats:
     array = np.ascontiguousarray(_real_array(values, name), dtype=np.float64)
     fits = array.ndim == len(shape) and all(
-        wanted is None or wanted == got for wanted, got in zip(shape, array.shape))
+        wanted is None or wanted == got for wanted, got in zip(shape, array.shape)
+    )
     if not fits:
         wanted = ", ".join("P" if n is None else str(n) for n in shape)
         comma = "," if len(shape) == 1 else ""

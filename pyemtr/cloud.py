@@ -36,11 +36,21 @@ class Cloud:
             all on one point or one line).
     """
 
-    def __init__(self, points: Any, *, normals: Any = None, features: Any = None,
-                 keep_points: bool = False, threads: int = 0) -> None:
+    def __init__(
+        self,
+        points: Any,
+        *,
+        normals: Any = None,
+        features: Any = None,
+        keep_points: bool = False,
+        threads: int = 0,
+    ) -> None:
         chosen = int(make_settings(0, threads, "default", None, {}).get("threads"))
-        self._raw = _emtr.Prepared(_buffer(points, "points", normals, "normals", features,
-                                           "features", keep_points), "", chosen)
+        self._raw = _emtr.Prepared(
+            _buffer(points, "points", normals, "normals", features, "features", keep_points),
+            "",
+            chosen,
+        )
         self._info: dict[str, Any] = self._raw.describe()
 
     def __len__(self) -> int:
@@ -77,26 +87,40 @@ class Cloud:
         dropped = f", {self.dropped} dropped" if self.dropped else ""
         normals = ", normals" if self.has_normals else ""
         features = f", {self.described} features of {self._info['feature_dimension']}"
-        return (f"<pyemtr.Cloud: {len(self)} points{dropped}{normals}"
-                f"{features if self.described else ''}, radius {self.radius:.6g}>")
+        return (
+            f"<pyemtr.Cloud: {len(self)} points{dropped}{normals}"
+            f"{features if self.described else ''}, radius {self.radius:.6g}>"
+        )
 
 
-def as_cloud(cloud: Any, name: str, normals: Any = None, features: Any = None,
-             keep_points: bool = False) -> _emtr.CloudBuffer | _emtr.Prepared:
+def as_cloud(
+    cloud: Any, name: str, normals: Any = None, features: Any = None, keep_points: bool = False
+) -> _emtr.CloudBuffer | _emtr.Prepared:
     """What the C library reads: a prepared cloud, or points as :func:`as_points` makes them, with
     what belongs to them."""
     if not isinstance(cloud, Cloud):
-        return _buffer(cloud, name, normals, f"{name}_normals", features, f"{name}_features",
-                       keep_points)
+        return _buffer(
+            cloud, name, normals, f"{name}_normals", features, f"{name}_features", keep_points
+        )
     for given, what in ((normals, "normals"), (features, "features")):
         if given is not None:
             raise TypeError(f"{name}_{what}: a pyemtr.Cloud brings its own; give them to it")
     return cloud._raw
 
 
-def _buffer(points: Any, points_name: str, normals: Any, normals_name: str, features: Any,
-            features_name: str, keep_points: bool) -> _emtr.CloudBuffer:
+def _buffer(
+    points: Any,
+    points_name: str,
+    normals: Any,
+    normals_name: str,
+    features: Any,
+    features_name: str,
+    keep_points: bool,
+) -> _emtr.CloudBuffer:
     array = as_points(points, points_name)
     return _emtr.CloudBuffer(
-        array, None if normals is None else as_normals(normals, normals_name, array),
-        None if features is None else as_features(features, features_name, array), keep_points)
+        array,
+        None if normals is None else as_normals(normals, normals_name, array),
+        None if features is None else as_features(features, features_name, array),
+        keep_points,
+    )

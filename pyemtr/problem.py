@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,19 +30,34 @@ class Problem(ProblemViews):
     Args and errors are those of :func:`pyemtr.register`.
     """
 
-    def __init__(self, source: Any, target: Any, *, seed: int = 0, threads: int = 0,
-                 preset: str = "default", guess: Any = None, source_viewpoint: Any = None,
-                 target_viewpoint: Any = None, source_normals: Any = None,
-                 target_normals: Any = None, source_features: Any = None,
-                 target_features: Any = None, correspondences: Any = None,
-                 **settings: Value) -> None:
-        chosen = make_settings(seed, threads, preset, guess, settings, source_viewpoint,
-                               target_viewpoint)
+    def __init__(
+        self,
+        source: Any,
+        target: Any,
+        *,
+        seed: int = 0,
+        threads: int = 0,
+        preset: str = "default",
+        guess: Any = None,
+        source_viewpoint: Any = None,
+        target_viewpoint: Any = None,
+        source_normals: Any = None,
+        target_normals: Any = None,
+        source_features: Any = None,
+        target_features: Any = None,
+        correspondences: Any = None,
+        **settings: Value,
+    ) -> None:
+        chosen = make_settings(
+            seed, threads, preset, guess, settings, source_viewpoint, target_viewpoint
+        )
         self.settings: dict[str, Any] = settings_used(chosen)
         keep = take_correspondences(chosen, correspondences)
         self._raw = _emtr.Problem(
             as_cloud(source, "source", source_normals, source_features, keep),
-            as_cloud(target, "target", target_normals, target_features, keep), chosen)
+            as_cloud(target, "target", target_normals, target_features, keep),
+            chosen,
+        )
         self._lock = threading.Lock()
         self._holder: int | None = None
 

@@ -129,6 +129,7 @@ std::vector<Correspondence> match_mutual(const DescriptorRows& source, const Des
   std::sort(mutual.begin(), mutual.end());
   mutual.resize(std::min(mutual.size(), most));
   std::vector<Correspondence> out;
+  out.reserve(mutual.size());
   for (const auto& [distance, i, j] : mutual) out.push_back({i, j});
   return out;
 }
