@@ -32,8 +32,8 @@ class Cloud:
 
     Raises:
         TypeError: not numbers, or not real ones.
-        ValueError: not (N, 3), not as many normals or features as points, or a cloud that cannot be registered (fewer than 10 finite points,
-            all on one point or one line).
+        ValueError: not (N, 3), not as many normals or features as points, or a cloud that cannot
+            be registered (fewer than 10 finite points, all on one point or one line).
     """
 
     def __init__(

@@ -93,7 +93,7 @@ typedef struct emtr_settings {
   int32_t injected_seeds; /* of them, particles of both swarms that start there */
 
   /* task beta */
-  double tau_factor;       /* tau / mean resolution of the feature clouds */
+  double tau_factor;       /* tau / mean resolution of the dense clouds */
   double inlier_threshold; /* in tau */
   double outlier_penalty;  /* eta, in tau */
 

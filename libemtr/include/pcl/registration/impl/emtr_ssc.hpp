@@ -281,12 +281,12 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::prepare(
 
   const bool keep = has_correspondences_;
   if (all || source_handed_.empty())
-    prepared[0] = prepared_source_.of(source, source_handed_, keep, "source", threads);
+    prepared[0] = prepared_source_.of(source, "source", threads, source_handed_, keep);
   else  // made anew: other points may have the same coordinates
-    prepared[0] = detail::PreparedInput().of(source, source_handed_.selected(*indices_), keep,
-                                             "source", threads);
+    prepared[0] = detail::PreparedInput().of(source, "source", threads,
+                                             source_handed_.selected(*indices_), keep);
   if (prepared[0])
-    prepared[1] = prepared_target_.of(*target_, target_handed_, keep, "target", threads);
+    prepared[1] = prepared_target_.of(*target_, "target", threads, target_handed_, keep);
   if (prepared[1]) return true;
   error_message_ = emtr_error_message();
   return false;

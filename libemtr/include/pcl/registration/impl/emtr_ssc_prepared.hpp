@@ -25,9 +25,9 @@ class PreparedInput {
    * emtr_cloud.
    * \return null when it cannot be registered: emtr_error_message() tells why */
   template <typename PointT>
-  std::shared_ptr<const emtr_prepared> of(const PointCloud<PointT>& cloud, const HandedIn& handed,
-                                          bool keep_points, const char* name,
-                                          std::int32_t threads) {
+  std::shared_ptr<const emtr_prepared> of(const PointCloud<PointT>& cloud, const char* name,
+                                          std::int32_t threads, const HandedIn& handed = {},
+                                          bool keep_points = false) {
     if (prepared_ && (keeps_points_ || !keep_points) && isOf(cloud)) return prepared_;
     forget();
     keeps_points_ = keep_points;
