@@ -35,6 +35,10 @@ class Settings:
     def correspondences(self, value: NDArray[np.int32]) -> None: ...
 
 @final
+class Rows:
+    def __init__(self, array: NDArray[Any]) -> None: ...
+
+@final
 class CloudBuffer:
     def __init__(
         self,
