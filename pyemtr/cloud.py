@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _emtr
 from .arrays import Floats, as_features, as_normals, as_points
-from .options import make_settings
+from .options import thread_setting
 
 
 class Cloud:
@@ -45,11 +45,10 @@ class Cloud:
         keep_points: bool = False,
         threads: int = 0,
     ) -> None:
-        chosen = int(make_settings(0, threads, "default", None, {}).get("threads"))
         self._raw = _emtr.Prepared(
             _buffer(points, "points", normals, "normals", features, "features", keep_points),
             "",
-            chosen,
+            thread_setting(threads),
         )
         self._info: dict[str, Any] = self._raw.describe()
 

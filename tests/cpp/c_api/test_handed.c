@@ -118,7 +118,7 @@ static void features_and_normals(const twins* t) {
   CHECK(memcmp(plain->transformation, result->transformation, sizeof result->transformation) != 0);
   CHECK(error_of(result, t) < 0.01);
   CHECK_OK(emtr_prepare(&wide, NULL, 1, &prepared));
-  CHECK_OK(emtr_prepared_describe(prepared, &info));
+  CHECK_OK(emtr_prepared_describe(prepared, &info, sizeof info));
   CHECK(info.normals == 1 && info.described == kCount && info.feature_dimension == kNumbers);
   emtr_prepared_free(prepared);
   emtr_result_free(plain);
