@@ -147,21 +147,37 @@ TEST(Handed, MatchesGoBeforeFeatures) {
   EXPECT_EQ(0, std::memcmp(beside->transformation, alone->transformation, sizeof(double[16])));
 }
 
-TEST(Handed, InAnEscalationOurOwnFeaturesJoinTheirSeeds) {
-  // Matches that are all wrong: what finds the pose is the second search.
+TEST(Handed, AnEscalationLooksWithOurOwnFeatures) {
+  // Matches that are all wrong, and hardly any swarm: what finds the pose is the second search.
   const KnownPair pair(5000);
   auto rows = pair.correspondences(200, 1);
   for (std::size_t i = 1; i < rows.size(); i += 2)
     rows[i] = static_cast<std::int32_t>((static_cast<std::size_t>(rows[i]) * 7919 + 13) %
                                         (pair.target.size() / 3));
   emtr::Settings settings = emtr::preset("default");
-  settings.iterations = 1;  // or the swarm might find it
+  settings.iterations = 1;
   settings.population = 2;
+  settings.seeds = 0;
   settings.correspondences = rows.data();
   settings.correspondence_count = rows.size() / 2;
   const auto result = solve(pair.source_cloud(), pair.target_cloud(), settings);
   EXPECT_TRUE(result->escalated);
   EXPECT_TRUE(result->registered);
+  EXPECT_LT(KnownPair::error(result->transformation), 0.02);
+}
+
+TEST(Handed, AnEscalationKeepsWhatTheMatchesLedTo) {
+  const KnownPair pair(5000);
+  const auto rows = pair.correspondences(200, 2);
+  emtr::Settings settings = emtr::preset("thorough");
+  settings.iterations = 1;
+  settings.population = 2;
+  settings.escalation_seeds = 1;  // of our own, hardly any
+  settings.escalation_correspondences = 3;
+  settings.correspondences = rows.data();
+  settings.correspondence_count = rows.size() / 2;
+  const auto result = solve(pair.source_cloud(), pair.target_cloud(), settings);
+  EXPECT_TRUE(result->escalated);
   EXPECT_LT(KnownPair::error(result->transformation), 0.02);
 }
 
