@@ -37,7 +37,7 @@ def kernel_name():
 
 
 def register(source, target, Settings settings not None, callback):
-    """emtr_register_kept: float32 or float64 arrays (n, 3), the fields of a result as a dict.
+    """emtr_register_kept: two CloudBuffers, the fields of a result as a dict.
 
     Either may be a Prepared.
     """
@@ -55,12 +55,12 @@ def register(source, target, Settings settings not None, callback):
     if isinstance(source, Prepared):
         kept_a = (<Prepared>source).prepared
     else:
-        a = CloudBuffer(source)
+        a = source
         from_ = &a.cloud
     if isinstance(target, Prepared):
         kept_b = (<Prepared>target).prepared
     else:
-        b = CloudBuffer(target)
+        b = target
         to = &b.cloud
     # What is not prepared yet is no use to anyone afterwards.
     cdef emtr_prepared** keep_a = NULL if kept_a == NULL else &kept_a

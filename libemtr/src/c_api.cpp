@@ -125,9 +125,10 @@ emtr_result* run(const emtr::Settings& settings, emtr_progress_fn progress, void
 
 /// What is kept of a cloud, or is from now on.
 emtr::PreparedCloudPtr prepared(const emtr_cloud* cloud, emtr_prepared** kept, const char* name,
-                                int threads) {
+                                const emtr::Settings& settings) {
   if (kept && *kept) return (*kept)->cloud;
-  auto made = std::make_shared<const emtr::PreparedCloud>(*cloud, name, threads);
+  auto made = std::make_shared<const emtr::PreparedCloud>(emtr::kept(*cloud, settings), name,
+                                                          emtr::thread_count(settings));
   if (kept) *kept = new emtr_prepared{made};
   return made;
 }
@@ -332,6 +333,9 @@ emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_
     out.kept = cloud.base.size();
     std::copy_n(cloud.center, 3, out.center);
     out.radius = cloud.radius;
+    out.normals = cloud.normals.size() != 0;
+    out.described = cloud.described.rows.size();
+    out.feature_dimension = cloud.described.dimension;
     hand_out(out, info, size);
   });
 }
@@ -358,9 +362,8 @@ emtr_status emtr_register_kept(const emtr_cloud* source, emtr_prepared** kept_so
     if (!kept_target || !*kept_target) required(target, "target");
     const emtr::Settings chosen = settings_or_preset(settings);
     *result = run(chosen, progress, user, [&] {
-      const int threads = emtr::thread_count(chosen);
-      auto from = prepared(source, kept_source, "source", threads);
-      return emtr::normalise(std::move(from), prepared(target, kept_target, "target", threads));
+      auto from = prepared(source, kept_source, "source", chosen);
+      return emtr::normalise(std::move(from), prepared(target, kept_target, "target", chosen));
     });
   });
 }

@@ -7,6 +7,7 @@
 #include "error.h"
 #include "features/kdtree_neighbors.h"
 #include "features/resolution.h"
+#include "frame/handed_matches.h"
 #include "parallel.h"
 #include "registration.h"
 #include "stopwatch.h"
@@ -23,38 +24,51 @@ std::unique_ptr<Neighbors> make_neighbors(int kind, const Cloud& cloud, float ra
   return make_neighbors(cloud, radius, leaf, queries, kernels);
 }
 
+/// What is kept of the settings: nothing of the caller's memory.
+Settings own(Settings settings) {
+  settings.correspondences = nullptr;
+  settings.correspondence_count = 0;
+  return settings;
+}
+
 }  // namespace
 
+emtr_cloud kept(emtr_cloud cloud, const Settings& given) {
+  if (given.correspondences) cloud.keep_points = 1;
+  return cloud;
+}
+
 Problem::Problem(const Normalise& normalised, const Settings& s, Watch& watch)
-    : settings(s), kernels(select_kernels()) {
-  make(normalised, watch);
+    : settings(own(s)), kernels(select_kernels()) {
+  make(normalised, s, watch);
 }
 
 Problem::Problem(const emtr_cloud& source, const emtr_cloud& target, const Settings& s,
                  const OnProgress& on_progress)
-    : settings(s), kernels(select_kernels()) {
+    : settings(own(s)), kernels(select_kernels()) {
   Watch watch(on_progress);
-  make([&] { return normalise(source, target, thread_count(settings)); }, watch);
+  make([&] { return normalise(kept(source, s), kept(target, s), thread_count(settings)); }, s,
+       watch);
 }
 
 Problem::Problem(const PreparedCloudPtr& source, const PreparedCloudPtr& target, const Settings& s,
                  const OnProgress& on_progress)
-    : settings(s), kernels(select_kernels()) {
+    : settings(own(s)), kernels(select_kernels()) {
   Watch watch(on_progress);
-  make([&] { return normalise(source, target); }, watch);
+  make([&] { return normalise(source, target); }, s, watch);
 }
 
-void Problem::make(const Normalise& normalised, Watch& watch) {
+void Problem::make(const Normalise& normalised, const Settings& given, Watch& watch) {
   validate(settings);
   const Watched watched(&watch);
   try {
-    prepare(normalised, watch);
+    prepare(normalised, given, watch);
   } catch (const Stopped&) {
     stopped_ = true;
   }
 }
 
-void Problem::prepare(const Normalise& normalised, Watch& watch) {
+void Problem::prepare(const Normalise& normalised, const Settings& given, Watch& watch) {
   const auto enter = [&](const char* stage) {
     if (watch.tell({stage, 0, 0, 0, 0})) throw Stopped();
   };
@@ -76,12 +90,10 @@ void Problem::prepare(const Normalise& normalised, Watch& watch) {
   }
 
   enter("features");
-  const int threads = thread_count(settings);
   {
     const Timed timed(seconds_.features);
-    const FeatureDefinition definition = feature_definition(settings, densities.leaf_dense);
-    source_features = describe(densities.source_dense, definition, kernels, threads);
-    target_features = describe(densities.target_dense, definition, kernels, threads);
+    take_handed(given);
+    describe_dense();
   }
 
   enter("matching");
@@ -89,7 +101,8 @@ void Problem::prepare(const Normalise& normalised, Watch& watch) {
     const Timed timed(seconds_.matching);
     match_features();
     // Neither needs the other, and both are mostly grids that one thread makes.
-    in_parallel(2, threads, [this](std::size_t i) { i == 0 ? make_tasks() : make_surfaces(); });
+    in_parallel(2, thread_count(settings),
+                [this](std::size_t i) { i == 0 ? make_tasks() : make_surfaces(); });
   }
 
   if (settings.seeds == 0) return;
@@ -98,29 +111,62 @@ void Problem::prepare(const Normalise& normalised, Watch& watch) {
   find_seeds();
 }
 
+void Problem::take_handed(const Settings& given) {
+  const bool features = have_features(pair);
+  if (given.correspondences || given.correspondence_count) {
+    if (!given.correspondences)
+      throw Error(EMTR_ERROR_ARGUMENT, "correspondences: null, but correspondence_count is not 0");
+    HandedMatches matches = handed_matches(pair, given.correspondences, given.correspondence_count,
+                                           static_cast<std::size_t>(settings.max_correspondences));
+    handed = std::make_unique<FeatureClouds>(std::move(matches.clouds));
+    correspondences = std::move(matches.correspondences);
+  } else if (features) {
+    handed = std::make_unique<FeatureClouds>(handed_features(pair, densities.leaf_dense));
+  }
+}
+
+void Problem::describe_dense() {
+  FeatureDefinition definition = feature_definition(settings, densities.leaf_dense);
+  definition.trust_normals = trust_normals(pair);
+  definition.normals_only = handed != nullptr;
+  const int threads = thread_count(settings);
+  source_features =
+      describe(densities.source_dense, definition, kernels, threads, densities.source_normals);
+  target_features =
+      describe(densities.target_dense, definition, kernels, threads, densities.target_normals);
+}
+
 void Problem::match_features() {
-  correspondences = match(source_features, target_features,
-                          static_cast<std::size_t>(settings.max_correspondences), kernels,
-                          thread_count(settings));
+  const auto most = static_cast<std::size_t>(settings.max_correspondences);
+  if (!handed)
+    correspondences =
+        match(source_features, target_features, most, kernels, thread_count(settings));
+  else if (handed->source.dimension)
+    correspondences =
+        match(handed->source.view(), handed->target.view(), most, kernels, thread_count(settings));
   const auto resolution_of = [this](const Cloud& cloud) {
     return mean_resolution(cloud, densities.leaf_dense, kernels, thread_count(settings));
   };
   const double resolution =
       (resolution_of(densities.source_dense) + resolution_of(densities.target_dense)) / 2;
   tau = settings.tau_factor * resolution;
-  // The best of them are enough for the tasks; all of them look for seeds.
+  // The best of them are enough for the tasks, of those handed in, whose order says nothing, some
+  // from all over the list; all of them look for seeds.
   const std::size_t few = std::min(correspondences.size(),
                                    correspondence_cap(static_cast<std::size_t>(settings.max_tims)));
-  const std::vector<Correspondence> best(
-      correspondences.begin(), correspondences.begin() + static_cast<std::ptrdiff_t>(few));
-  tims = form_tims(densities.source_dense, densities.target_dense, best,
-                   TaskBeta::threshold(tau, settings));
+  const bool by_distance = !handed || handed->source.dimension;
+  const std::vector<Correspondence> best =
+      by_distance
+          ? std::vector<Correspondence>(correspondences.begin(),
+                                        correspondences.begin() + static_cast<std::ptrdiff_t>(few))
+          : spread(correspondences, few);
+  tims = form_tims(matched_source(), matched_target(), best, TaskBeta::threshold(tau, settings));
 }
 
 void Problem::find_seeds() {
   const double threshold = settings.seed_threshold * densities.leaf_dense;
-  const Consistency consistency(densities.source_dense, densities.target_dense, correspondences,
-                                threshold, kernels, thread_count(settings));
+  const Consistency consistency(matched_source(), matched_target(), correspondences, threshold,
+                                kernels, thread_count(settings));
   seeds = emtr::find_seeds(consistency, threshold, static_cast<std::size_t>(settings.seeds),
                            thread_count(settings));
 }

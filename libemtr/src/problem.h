@@ -10,6 +10,7 @@
 #include "features/matching.h"
 #include "features/tims.h"
 #include "frame/densities.h"
+#include "frame/handed_features.h"
 #include "result.h"
 #include "seeds/seeds.h"
 #include "tasks/task_alpha.h"
@@ -17,6 +18,9 @@
 #include "watch.h"
 
 namespace emtr {
+
+/// With all its points, when the correspondences of the settings will ask for them.
+emtr_cloud kept(emtr_cloud cloud, const Settings& given);
 
 /// The walk of the data from two clouds to two tasks, every stage's output kept, and on to a
 /// result. Stages run in the order of the members.
@@ -47,8 +51,15 @@ class Problem {
   NormalisedPair pair;
   const Frame& frame = pair.frame;
   Densities densities;
-  Features source_features, target_features;  ///< of the dense clouds
-  std::vector<Correspondence> correspondences;
+  Features source_features, target_features;  ///< of the dense clouds; no descriptors with `handed`
+  std::unique_ptr<FeatureClouds> handed;      ///< null when the dense clouds are matched
+  const Cloud& matched_source() const {
+    return handed ? handed->source.points : densities.source_dense;
+  }
+  const Cloud& matched_target() const {
+    return handed ? handed->target.points : densities.target_dense;
+  }
+  std::vector<Correspondence> correspondences;  ///< rows of matched_source(), matched_target()
   std::vector<Seed> seeds;
   double tau = 0;
   Tims tims;
@@ -59,8 +70,10 @@ class Problem {
   std::atomic<std::uint64_t> lookups{0};  ///< of calls from outside, stage by stage
 
  private:
-  void make(const Normalise& normalised, Watch& watch);
-  void prepare(const Normalise& normalised, Watch& watch);
+  void make(const Normalise& normalised, const Settings& given, Watch& watch);
+  void prepare(const Normalise& normalised, const Settings& given, Watch& watch);
+  void take_handed(const Settings& given);
+  void describe_dense();
   void match_features();
   void make_tasks();
   void make_surfaces();

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <pcl/registration/impl/emtr_ssc_handed.hpp>
 #include <pcl/registration/impl/emtr_ssc_points.hpp>
 #include <vector>
 
@@ -16,29 +17,34 @@ namespace detail {
 /** \brief An input cloud as the library prepares it, kept from one align() to the next.
  *
  * Prepared again when any coordinate has changed, also in place, which no setter is told of: so
- * the coordinates are kept too and compared, which takes far less time than to prepare them. */
+ * the coordinates are kept too and compared, which takes far less time than to prepare them. Who
+ * hands in other normals or features says so by forget(). */
 class PreparedInput {
  public:
-  /** \brief Looks whether what is kept is of these points, and forgets it when it is not. */
+  /** \brief The cloud made ready; \a name and \a threads as in emtr_prepare(), \a keep_points as in
+   * emtr_cloud.
+   * \return null when it cannot be registered: emtr_error_message() tells why */
   template <typename PointT>
-  void read(const PointCloud<PointT>& cloud) {
-    if (prepared_ && isOf(cloud)) return;
+  std::shared_ptr<const emtr_prepared> of(const PointCloud<PointT>& cloud, const char* name,
+                                          std::int32_t threads, const HandedIn& handed = {},
+                                          bool keep_points = false) {
+    if (prepared_ && (keeps_points_ || !keep_points) && isOf(cloud)) return prepared_;
     forget();
+    keeps_points_ = keep_points;
     // Plain arrays of our own: what is in a pcl::PointCloud depends on how the caller was compiled.
     packed_ = packPoints(cloud);
-  }
-
-  /** \brief The points read, for as long as no others are. */
-  emtr_cloud view() const { return {packed_.data(), packed_.size() / 3, 0, EMTR_FLOAT32}; }
-
-  /** \brief What is kept of them, null when nothing is. It is never changed. */
-  emtr_prepared* kept() const { return const_cast<emtr_prepared*>(prepared_.get()); }
-
-  /** \brief Takes what emtr_register_kept() has left. */
-  void keep(emtr_prepared* made) {
-    if (made == prepared_.get()) return;
-    prepared_ = std::shared_ptr<const emtr_prepared>(
-        made, [](const emtr_prepared* p) { emtr_prepared_free(const_cast<emtr_prepared*>(p)); });
+    emtr_cloud view = {packed_.data(), cloud.size(), 0, EMTR_FLOAT32};
+    if (handed.normals.given) view.normals = handed.normals.values.data();
+    if (handed.features.given) {
+      view.features = handed.features.values.data();
+      view.feature_dimension = handed.features.width;
+    }
+    view.keep_points = keep_points;
+    emtr_prepared* made = nullptr;
+    if (emtr_prepare(&view, name, threads, &made) == EMTR_OK)
+      prepared_ = std::shared_ptr<const emtr_prepared>(
+          made, [](const emtr_prepared* p) { emtr_prepared_free(const_cast<emtr_prepared*>(p)); });
+    return prepared_;
   }
 
   void forget() {
@@ -58,6 +64,7 @@ class PreparedInput {
   }
 
   std::vector<float> packed_;
+  bool keeps_points_ = false;
   std::shared_ptr<const emtr_prepared> prepared_;
 };
 
