@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import os
-import sys
 from pathlib import Path
 
 import pytest
+from bit_table import clouds, kernels
+from bit_table.builds import Build
+from bit_table.fields import Fields, differing
+from bit_table.program import results
+from bit_table.runs import Run
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
-
-from bit_table import clouds, kernels  # noqa: E402
-from bit_table.builds import Build  # noqa: E402
-from bit_table.fields import Fields, differing  # noqa: E402
-from bit_table.program import results  # noqa: E402
-from bit_table.runs import Run  # noqa: E402
-
 BUILD = Build("this", Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build")))
 DATA = Path(os.environ.get("EMTR_DATA", ROOT.parent / "shared" / "data"))
 PAIRS = [clouds.GENERATED, *clouds.REAL[:3]]
