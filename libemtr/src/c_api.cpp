@@ -298,8 +298,10 @@ emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
     required(source, "source");
     required(target, "target");
     const emtr::Settings chosen = settings_or_preset(settings);
-    *result = run(chosen, progress, user,
-                  [&] { return emtr::normalise(*source, *target, emtr::thread_count(chosen)); });
+    *result = run(chosen, progress, user, [&] {
+      return emtr::normalise(emtr::kept(*source, chosen), emtr::kept(*target, chosen),
+                             emtr::thread_count(chosen));
+    });
   });
 }
 
