@@ -136,6 +136,7 @@ struct BothWays {
     std::sort(found.begin(), found.end());
     found.resize(std::min(found.size(), most));
     std::vector<Correspondence> out;
+    out.reserve(found.size());
     for (const auto& [key, i, j] : found) out.push_back({i, j});
     return out;
   }
