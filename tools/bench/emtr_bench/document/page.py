@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from .ablation_section import ablation_section
 from .accuracy_section import accuracy_section
 from .cost_sections import neighbors_section, regress_section, scaling_section, stages_section
 from .markdown import table
@@ -16,6 +17,7 @@ from .running import Kept, kept
 
 _TITLES = {
     "accuracy": "Accuracy",
+    "ablation": "Each part off in turn",
     "peers": "Beside other libraries",
     "stages": "Stages, and the candidate grid",
     "scaling": "Time and memory against the number of points",
@@ -26,6 +28,8 @@ _EXPLANATIONS = {
     "accuracy": "Success: E_R < 5 degrees, as in the paper; joint: E_t < 0.06 of the larger "
     "cloud's radius too. Errors are over the successes, E_R in degrees; precision and recall are "
     "those of `registered` against joint success. Seconds: mean wall time.",
+    "ablation": "Joint success in percent by tier (pairs), and the median of the wall seconds. "
+    "Without seeds there is no second search either, which would make some: the swarms search.",
     "peers": "Each method has the same pairs, motions and threads, in turns, in a process of its "
     "own. The other libraries' global searches are finished by point-to-plane ICP (Open3D) or "
     "GICP (small_gicp), with their recommended settings. Success: E_R < 5 degrees and E_t < 0.06; "
@@ -48,6 +52,7 @@ def page(parts: list[Part], plot: Path, out: Path) -> str:
     picture = os.path.relpath(plot.absolute(), out.absolute().parent)
     renderers: dict[str, Callable[[dict[str, Any]], str]] = {
         "accuracy": accuracy_section,
+        "ablation": ablation_section,
         "peers": peers_section,
         "stages": stages_section,
         "scaling": lambda value: scaling_section(value, picture),

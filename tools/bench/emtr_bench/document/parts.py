@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 THREADS = "2"
-NAMES = ("accuracy", "peers", "stages", "scaling", "neighbors", "regress")
+NAMES = ("accuracy", "ablation", "peers", "stages", "scaling", "neighbors", "regress")
 
 
 @dataclass(frozen=True)
@@ -53,6 +53,7 @@ def all_parts(folder: Path, plot: Path, presets: list[str], smoke: bool) -> list
     counted = "--benchmark_out={} --benchmark_out_format=json"
     return [
         *parts,
+        part("ablation", "--threads", THREADS, *pick((), ("--smoke",))),
         part("peers", *pick(peers, ("--smoke",))),
         part("stages", *pick((), ("--smoke",))),
         part("scaling", *pick((), ("--smoke",)), f"--plot={plot}"),
