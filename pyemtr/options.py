@@ -5,8 +5,9 @@ from __future__ import annotations
 import difflib
 import numbers
 import operator
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Mapping, Union
+from typing import Any, Union
 
 import numpy as np
 
@@ -41,8 +42,9 @@ def settings() -> dict[str, Setting]:
     found = {}
     for name, kind, unit, low, high, value, part, text, choices in _emtr.describe_settings():
         names = tuple(word.strip() for word in choices.split(",")) if choices else ()
-        found[name] = Setting(name, kind, unit, low, high, _plain(kind, value, names), part,
-                              text, names)
+        found[name] = Setting(
+            name, kind, unit, low, high, _plain(kind, value, names), part, text, names
+        )
     return found
 
 
@@ -51,8 +53,15 @@ def presets() -> list[str]:
     return _emtr.preset_names()
 
 
-def make_settings(seed: int, threads: int, preset: str, guess: Any, changes: Mapping[str, Value],
-                  source_viewpoint: Any = None, target_viewpoint: Any = None) -> _emtr.Settings:
+def make_settings(
+    seed: int,
+    threads: int,
+    preset: str,
+    guess: Any,
+    changes: Mapping[str, Value],
+    source_viewpoint: Any = None,
+    target_viewpoint: Any = None,
+) -> _emtr.Settings:
     """A preset with the changes made; what is None stays unknown.
 
     Raises:
@@ -86,7 +95,7 @@ def settings_used(chosen: _emtr.Settings) -> dict[str, Any]:
         used[name] = _plain(setting.type, chosen.get(name), setting.choices)
     used["seed"] = chosen.seed  # exact, where a double is not
     guess = chosen.guess
-    used["guess"] = None if guess is None else [guess[i:i + 4] for i in range(0, 16, 4)]
+    used["guess"] = None if guess is None else [guess[i : i + 4] for i in range(0, 16, 4)]
     used["source_viewpoint"] = chosen.viewpoint_source
     used["target_viewpoint"] = chosen.viewpoint_target
     return used
@@ -108,8 +117,9 @@ def _number(setting: Setting, value: Any) -> float:
         return float(value)
     if setting.type == "choice" and isinstance(value, str):
         if value not in setting.choices:
-            raise ValueError(f"{setting.name}: expected one of {', '.join(setting.choices)},"
-                             f" got {value!r}")
+            raise ValueError(
+                f"{setting.name}: expected one of {', '.join(setting.choices)}, got {value!r}"
+            )
         return float(setting.choices.index(value))
     if setting.type != "real":
         return float(_whole(setting.name, value))
