@@ -31,7 +31,7 @@ def throw(_progress):
 @pytest.fixture(scope="module")
 def tiny():
     pair = shapes.make_pair(seed=4)
-    return pair.source[::20].copy(), pair.target[::20].copy()
+    return pair.source[::60].copy(), pair.target[::60].copy()
 
 
 def register(source, target):

@@ -16,9 +16,9 @@ void check_size(const PlyHeader& header, const std::string& path, std::uint64_t 
   const PlyElement* grid = header.find(kGrid);
   const std::uint64_t points = grid && grid->count > 0 ? grid->count : vertices;
   if (!header.columns || !header.rows || places != points)
-    throw FileFailure(path,
-                      "its obj_info lays out num_cols x num_rows = " + std::to_string(places) +
-                          " points, but it has " + std::to_string(points));
+    throw FileFailure(path, "cannot be read: its obj_info lays out num_cols x num_rows = " +
+                                std::to_string(places) + " points, but it has " +
+                                std::to_string(points));
 }
 
 [[noreturn]] void refuse_index(const std::string& path, std::uint64_t row, const std::string& index,
