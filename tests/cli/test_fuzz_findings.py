@@ -54,9 +54,7 @@ def test_header_lines_where_a_binary_pcd_has_its_points(bad, begin, line):
 def test_binary_pcd_may_begin_with_the_byte_of_a_comment(run, tmp_path):
     body = bytearray(ROWS.tobytes())
     body[:4] = b"#\x00\x80\x3f"  # a float a little above 1
-    (tmp_path / "a.pcd").write_bytes(
-        cloud_files.pcd_header(ROWS, "binary").encode() + bytes(body)
-    )
+    (tmp_path / "a.pcd").write_bytes(cloud_files.pcd_header(ROWS, "binary").encode() + bytes(body))
     done = run("a.pcd", "a.pcd", "-o", "T.txt", "--iterations", "1", "--population", "2")
     assert done.returncode in (0, 3), done.stderr
 

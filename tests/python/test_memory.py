@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 
 import numpy as np
-import pyemtr
 import pytest
 import shapes
+
+import pyemtr
 
 PAGE = os.sysconf("SC_PAGE_SIZE")
 QUICK = {"iterations": 2, "population": 4, "threads": 1}
@@ -51,8 +52,11 @@ def stages(source, target):
 
 
 def refused(source, target):
-    for clouds, settings in [((source[:5], target), {}), ((source, target * np.nan), {}),
-                             ((source, target), {"population": -1})]:
+    for clouds, settings in [
+        ((source[:5], target), {}),
+        ((source, target * np.nan), {}),
+        ((source, target), {"population": -1}),
+    ]:
         with pytest.raises(ValueError):
             pyemtr.register(*clouds, **{**QUICK, **settings})
 
@@ -64,8 +68,10 @@ def interrupted(source, target):
 
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="needs Linux's /proc")
-@pytest.mark.parametrize(("call", "calls"), [(register, 1000), (prepared, 250), (stages, 250),
-                                             (refused, 1000), (interrupted, 500)])
+@pytest.mark.parametrize(
+    ("call", "calls"),
+    [(register, 1000), (prepared, 250), (stages, 250), (refused, 1000), (interrupted, 500)],
+)
 def test_no_growth(tiny, call, calls):
     # The allocator's own pools and whatever is made once are there after the first tenth. What is
     # left is counted in quarters: fragmentation comes in jumps, a leak in each of them.
