@@ -36,6 +36,8 @@ inline emtr_settings small_settings(Input& input) {
   limit(settings, "candidates", 3);
   limit(settings, "escalation_seeds", 4);
   limit(settings, "escalation_candidates", 3);
+  // Images of what a sensor sees have a pixel for each leaf.
+  settings.minimum_leaf_spacing = std::max(settings.minimum_leaf_spacing, 0.5);
   if (input.ConsumeIntegralInRange(0, 3) == 3) {
     settings.has_guess = 1;
     for (int i = 0; i < 4; ++i) settings.guess[5 * i] = 1;
