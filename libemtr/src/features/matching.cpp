@@ -15,39 +15,40 @@ constexpr std::size_t kCrowd = 10;  // of the nearest, whose last tells how comm
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 /// The rows of the points that have a descriptor.
-std::vector<std::int32_t> described(const Features& features) {
+std::vector<std::int32_t> described(const DescriptorRows& features) {
   std::vector<std::int32_t> rows;
-  for (std::size_t i = 0; i < features.descriptors.size() / kFeatureSize; ++i)
+  for (std::size_t i = 0; i < features.count; ++i)
     if (features.valid(i)) rows.push_back(static_cast<std::int32_t>(i));
   return rows;
 }
 
-std::vector<float> packed(const Features& features, const std::vector<std::int32_t>& rows) {
-  std::vector<float> out(rows.size() * kDescriptor);
+std::vector<float> packed(const DescriptorRows& features, const std::vector<std::int32_t>& rows) {
+  std::vector<float> out(rows.size() * features.dimension);
   for (std::size_t i = 0; i < rows.size(); ++i)
-    std::copy_n(&features.descriptors[static_cast<std::size_t>(rows[i]) * kDescriptor], kDescriptor,
-                &out[i * kDescriptor]);
+    std::copy_n(features.row(static_cast<std::size_t>(rows[i])), features.dimension,
+                &out[i * features.dimension]);
   return out;
 }
 
 /// As the kernels want one of the two sides.
 class Blocks {
  public:
-  Blocks(const Features& features, const std::vector<std::int32_t>& rows)
+  Blocks(const DescriptorRows& features, const std::vector<std::int32_t>& rows)
       : blocks_((rows.size() + kDescriptorBlock - 1) / kDescriptorBlock),
-        values_(blocks_ * kDescriptor * kDescriptorBlock, kNone) {
+        dimension_(features.dimension),
+        values_(blocks_ * dimension_ * kDescriptorBlock, kNone) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const float* from = &features.descriptors[static_cast<std::size_t>(rows[i]) * kDescriptor];
-      float* to = &values_[i / kDescriptorBlock * kDescriptor * kDescriptorBlock];
-      for (std::size_t d = 0; d < kDescriptor; ++d)
+      const float* from = features.row(static_cast<std::size_t>(rows[i]));
+      float* to = &values_[i / kDescriptorBlock * dimension_ * kDescriptorBlock];
+      for (std::size_t d = 0; d < dimension_; ++d)
         to[d * kDescriptorBlock + i % kDescriptorBlock] = from[d];
     }
   }
-  DescriptorBlocks view() const { return {values_.data(), blocks_}; }
+  DescriptorBlocks view() const { return {values_.data(), blocks_, dimension_}; }
   std::size_t padded() const { return blocks_ * kDescriptorBlock; }
 
  private:
-  std::size_t blocks_;
+  std::size_t blocks_, dimension_;
   std::vector<float> values_;
 };
 
@@ -96,12 +97,12 @@ struct BothWays {
   std::vector<std::int32_t> source, target;  // rows of the points that have a descriptor
   Nearest forward, backward;
 
-  BothWays(const Features& source_features, const Features& target_features, std::size_t wanted,
+  BothWays(const DescriptorRows& of_source, const DescriptorRows& of_target, std::size_t wanted,
            const Kernels& kernels, int threads)
-      : source(described(source_features)), target(described(target_features)) {
+      : source(described(of_source)), target(described(of_target)) {
     if (source.empty() || target.empty() || wanted == 0) return;
-    const std::vector<float> rows = packed(source_features, source);
-    const Blocks columns(target_features, target);
+    const std::vector<float> rows = packed(of_source, source);
+    const Blocks columns(of_target, target);
     forward = Nearest(source.size(), wanted);
     std::vector<Nearest> found(static_cast<std::size_t>(threads));  // backward, by thread
     const std::size_t pieces = (source.size() + kRowsOfAPiece - 1) / kRowsOfAPiece;
@@ -111,7 +112,7 @@ struct BothWays {
         if (mine.n == 0) mine = Nearest(columns.padded(), wanted);
         const std::size_t first = piece * kRowsOfAPiece;
         kernels.nearest_descriptors(
-            &rows[first * kDescriptor], std::min(kRowsOfAPiece, source.size() - first),
+            &rows[first * of_source.dimension], std::min(kRowsOfAPiece, source.size() - first),
             static_cast<std::int32_t>(first), columns.view(), forward.lists(first), mine.lists());
       });
     });
@@ -144,15 +145,17 @@ struct BothWays {
 
 }  // namespace
 
-std::vector<Correspondence> match_mutual(const Features& source, const Features& target, int k,
-                                         std::size_t most, const Kernels& kernels, int threads) {
+std::vector<Correspondence> match_mutual(const DescriptorRows& source, const DescriptorRows& target,
+                                         int k, std::size_t most, const Kernels& kernels,
+                                         int threads) {
   const auto wanted = static_cast<std::size_t>(std::max(k, 0));
   const BothWays near(source, target, wanted, kernels, threads);
   return near.mutual(wanted, most, [](float squared, std::size_t, std::size_t) { return squared; });
 }
 
-std::vector<Correspondence> match_distinct(const Features& source, const Features& target, int k,
-                                           std::size_t most, const Kernels& kernels, int threads) {
+std::vector<Correspondence> match_distinct(const DescriptorRows& source,
+                                           const DescriptorRows& target, int k, std::size_t most,
+                                           const Kernels& kernels, int threads) {
   const auto wanted = static_cast<std::size_t>(std::max(k, 0));
   const BothWays near(source, target, std::max(wanted, kCrowd), kernels, threads);
   return near.mutual(wanted, most, [&](float squared, std::size_t row, std::size_t column) {
