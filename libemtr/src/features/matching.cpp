@@ -97,12 +97,12 @@ struct BothWays {
   std::vector<std::int32_t> source, target;  // rows of the points that have a descriptor
   Nearest forward, backward;
 
-  BothWays(const DescriptorRows& of_source, const DescriptorRows& of_target, std::size_t wanted,
-           const Kernels& kernels, int threads)
-      : source(described(of_source)), target(described(of_target)) {
+  BothWays(const DescriptorRows& source_features, const DescriptorRows& target_features,
+           std::size_t wanted, const Kernels& kernels, int threads)
+      : source(described(source_features)), target(described(target_features)) {
     if (source.empty() || target.empty() || wanted == 0) return;
-    const std::vector<float> rows = packed(of_source, source);
-    const Blocks columns(of_target, target);
+    const std::vector<float> rows = packed(source_features, source);
+    const Blocks columns(target_features, target);
     forward = Nearest(source.size(), wanted);
     std::vector<Nearest> found(static_cast<std::size_t>(threads));  // backward, by thread
     const std::size_t pieces = (source.size() + kRowsOfAPiece - 1) / kRowsOfAPiece;
@@ -111,9 +111,10 @@ struct BothWays {
         Nearest& mine = found[thread];
         if (mine.n == 0) mine = Nearest(columns.padded(), wanted);
         const std::size_t first = piece * kRowsOfAPiece;
-        kernels.nearest_descriptors(
-            &rows[first * of_source.dimension], std::min(kRowsOfAPiece, source.size() - first),
-            static_cast<std::int32_t>(first), columns.view(), forward.lists(first), mine.lists());
+        kernels.nearest_descriptors(&rows[first * source_features.dimension],
+                                    std::min(kRowsOfAPiece, source.size() - first),
+                                    static_cast<std::int32_t>(first), columns.view(),
+                                    forward.lists(first), mine.lists());
       });
     });
     backward = Nearest(columns.padded(), wanted);

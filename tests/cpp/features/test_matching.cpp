@@ -138,6 +138,37 @@ TEST(Matching, PairsAreWithinTheTopOfEachOtherInEachKernelAndForAnyThreads) {
   }
 }
 
+TEST(Matching, DescriptorsOfAnySizeAreComparedInEachKernelAndForAnyThreads) {
+  // Numbers past those of the size at hand, which must not count, are the other rows'.
+  for (const std::size_t dimension : {1u, 2u, 32u, 34u, 352u, 3000u}) {
+    const std::size_t n = 70, m = 90;
+    std::mt19937 random(static_cast<unsigned>(dimension));
+    const auto draw = [&](std::size_t rows) {
+      std::vector<float> values(rows * dimension);
+      for (float& v : values) v = static_cast<float>(random() % 100000) / 1000;
+      return values;
+    };
+    const auto a = draw(n), b = draw(m);
+    const auto squared = [&](std::size_t i, std::size_t j) {
+      float sum = 0;
+      for (std::size_t d = 0; d < dimension; ++d) {
+        const float off = a[dimension * i + d] - b[dimension * j + d];
+        sum += off * off;
+      }
+      return sum;
+    };
+    const Pairs expected = mutual_nearest(n, m, 2, squared);
+    ASSERT_FALSE(expected.empty());
+    for (const emtr::Kernels* kernels : emtr_test::kernels_here())
+      for (const int threads : {1, 3})
+        EXPECT_EQ(pairs(emtr::match_mutual(emtr::DescriptorRows(a, dimension),
+                                           emtr::DescriptorRows(b, dimension), 2, 1000000, *kernels,
+                                           threads)),
+                  expected)
+            << kernels->name << " " << dimension;
+  }
+}
+
 /// Of the k-th nearest of a row; squared, in float.
 float kth(const emtr::Features& a, std::size_t i, const emtr::Features& b, std::size_t m,
           std::size_t k) {
@@ -188,37 +219,6 @@ TEST(Matching, IdenticalDescriptorsStandOutLeast) {
   ASSERT_EQ(all.size(), 5u);
   EXPECT_EQ(all.back().source, 0);  // one of twenty-one
   EXPECT_TRUE(emtr::match_distinct(a, emtr::Features{}, 3, 10, emtr::select_kernels(), 1).empty());
-}
-
-TEST(Matching, DescriptorsOfAnySizeAreComparedInEachKernelAndForAnyThreads) {
-  // Numbers past those of the size at hand, which must not count, are the other rows'.
-  for (const std::size_t dimension : {1u, 2u, 32u, 34u, 352u, 3000u}) {
-    const std::size_t n = 70, m = 90;
-    std::mt19937 random(static_cast<unsigned>(dimension));
-    const auto draw = [&](std::size_t rows) {
-      std::vector<float> values(rows * dimension);
-      for (float& v : values) v = static_cast<float>(random() % 100000) / 1000;
-      return values;
-    };
-    const auto a = draw(n), b = draw(m);
-    const auto squared = [&](std::size_t i, std::size_t j) {
-      float sum = 0;
-      for (std::size_t d = 0; d < dimension; ++d) {
-        const float off = a[dimension * i + d] - b[dimension * j + d];
-        sum += off * off;
-      }
-      return sum;
-    };
-    const Pairs expected = mutual_nearest(n, m, 2, squared);
-    ASSERT_FALSE(expected.empty());
-    for (const emtr::Kernels* kernels : emtr_test::kernels_here())
-      for (const int threads : {1, 3})
-        EXPECT_EQ(pairs(emtr::match_mutual(emtr::DescriptorRows(a, dimension),
-                                           emtr::DescriptorRows(b, dimension), 2, 1000000, *kernels,
-                                           threads)),
-                  expected)
-            << kernels->name << " " << dimension;
-  }
 }
 
 TEST(Matching, OfEqualDistancesTheSmallestRowIsTheNearer) {
