@@ -14,7 +14,7 @@ using fuzz::require;
 
 std::string any_name(Input& input) {
   emtr_setting_info info;
-  if (accepted(emtr_setting_describe(input.ConsumeIntegral<std::uint8_t>(), &info)))
+  if (accepted(emtr_setting_describe(input.ConsumeIntegral<std::uint8_t>(), &info, sizeof info)))
     return info.name;
   return input.ConsumeRandomLengthString(24);
 }
