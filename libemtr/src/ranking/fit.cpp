@@ -123,12 +123,19 @@ FitValue Fit::evaluate(const Rigid& pose, Scratch& scratch) const {
 
 FitValue Fit::evaluate(const Rigid& pose, std::size_t step, Scratch& scratch) const {
   if (step == 1) return evaluate(pose, scratch);
-  for (const Subset& subset : subsets_) {
-    if (subset.step != step) continue;
-    const Cloud* const points[2] = {&subset.points[0], &subset.points[1]};
-    const Cloud* const normals[2] = {&subset.normals[0], &subset.normals[1]};
-    return value(points, normals, pose, scratch);
-  }
+  const Subset& some = subset(step);
+  const Cloud* const points[2] = {&some.points[0], &some.points[1]};
+  const Cloud* const normals[2] = {&some.normals[0], &some.normals[1]};
+  return value(points, normals, pose, scratch);
+}
+
+const Cloud& Fit::points(int side, std::size_t step) const {
+  return step == 1 ? side_[side].surface->points : subset(step).points[side];
+}
+
+const Fit::Subset& Fit::subset(std::size_t step) const {
+  for (const Subset& some : subsets_)
+    if (some.step == step) return some;
   throw std::invalid_argument("step: expected one that was prepared");
 }
 
