@@ -423,7 +423,7 @@ emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which, co
   return guarded([&] {
     const emtr_problem& p = checked(problem);
     const int number = emtr::number_of(which);
-    if (number < EMTR_SOURCE_SPARSE || number > EMTR_TIM_TARGET)
+    if (number < EMTR_SOURCE_SPARSE || number > EMTR_TARGET_FEATURE_ROWS)
       throw emtr::Error(EMTR_ERROR_ARGUMENT, "array: there is none of that number");
     const emtr::ProblemArrays::View array = p.arrays.view(which);
     required(data, "data") = array.data;

@@ -54,6 +54,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int i = 0; i < 20 && input.remaining_bytes() > 0; ++i)
     input.ConsumeBool() ? set(settings, input) : overwrite(settings, input);
 
+  settings.correspondences = nullptr;  // memory of the caller's, which has to be there
+  settings.correspondence_count = 0;
+
   // The whole of them is judged before the clouds are looked at, and these have no points.
   const emtr_cloud empty{nullptr, 0, 0, EMTR_FLOAT32};
   emtr_result* result = nullptr;
