@@ -163,7 +163,7 @@ const char* emtr_status_text(emtr_status status) {
 }
 
 const char* emtr_reason_name(emtr_reason reason) {
-  switch (reason) {
+  switch (emtr::number_of(reason)) {
     case EMTR_REASON_REGISTERED:
       return "registered";
     case EMTR_REASON_LOW_OVERLAP:
