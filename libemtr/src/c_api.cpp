@@ -201,7 +201,7 @@ const char* emtr_status_text(emtr_status status) {
 }
 
 const char* emtr_reason_name(emtr_reason reason) {
-  switch (reason) {
+  switch (emtr::number_of(reason)) {
     case EMTR_REASON_REGISTERED:
       return "registered";
     case EMTR_REASON_LOW_OVERLAP:
@@ -484,7 +484,7 @@ emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which, co
   return guarded([&] {
     const emtr_problem& p = checked(problem);
     const int number = emtr::number_of(which);
-    if (number < EMTR_SOURCE_SPARSE || number > EMTR_TIM_TARGET)
+    if (number < EMTR_SOURCE_SPARSE || number > EMTR_TARGET_FEATURE_ROWS)
       throw emtr::Error(EMTR_ERROR_ARGUMENT, "array: there is none of that number");
     const emtr::ProblemArrays::View array = p.arrays.view(which);
     required(data, "data") = array.data;

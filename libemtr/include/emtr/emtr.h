@@ -220,7 +220,7 @@ typedef enum emtr_scalar { EMTR_FLOAT32 = 0, EMTR_FLOAT64 = 1 } emtr_scalar;
  * Needed: at least 10 finite points, 10 also after thinning (some 25 well spread ones do), that
  * do not lie on one point or one line.
  *
- * What was computed elsewhere can be handed in, one row a point; null: none.
+ * What was computed elsewhere can be handed in, one row a point; null: none (initialise it all).
  * Normals replace those that would be estimated. They need not be of unit length; a point whose
  * normal has a NaN, an infinity or no length has none. Where both clouds have some, the side that
  * they point to counts in the features.

@@ -8,11 +8,7 @@
 #include "check.h"
 
 static emtr_cloud cloud_of(const float* points, size_t count) {
-  emtr_cloud cloud;
-  cloud.points = points;
-  cloud.count = count;
-  cloud.stride = 0;
-  cloud.scalar = EMTR_FLOAT32;
+  emtr_cloud cloud = {.points = points, .count = count, .scalar = EMTR_FLOAT32};
   return cloud;
 }
 
@@ -141,7 +137,8 @@ static void viewpoints(const bumpy_pair* pair) {
 static void layout_of_the_input_does_not_matter(const bumpy_pair* pair, const emtr_result* whole) {
   const size_t stride = 3 * sizeof(double) + 5; /* aligned to nothing */
   char* strided = (char*)malloc(pair->count * stride + 1);
-  emtr_cloud source, target = cloud_of(pair->target, pair->count);
+  emtr_cloud source = {.stride = stride, .scalar = EMTR_FLOAT64};
+  emtr_cloud target = cloud_of(pair->target, pair->count);
   emtr_result* result = NULL;
   size_t i;
   int k;
@@ -153,8 +150,6 @@ static void layout_of_the_input_does_not_matter(const bumpy_pair* pair, const em
     }
   source.points = strided + 1;
   source.count = pair->count;
-  source.stride = stride;
-  source.scalar = EMTR_FLOAT64;
   CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &result));
   if (result) same_pose(whole, result);
   emtr_result_free(result);

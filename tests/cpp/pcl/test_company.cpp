@@ -62,7 +62,7 @@ TEST(Company, SixteenAtOnceAreEachAsIfAlone) {
   for (std::size_t i = 0; i < n; ++i)
     threads.emplace_back([&, i] {
       const std::size_t seed = i / 2 * 2;
-      together[i] = i % 2 ? by_class(sharedPair(), seed, 1 + i % 3)
+      together[i] = i % 2 ? by_class(sharedPair(), seed, static_cast<unsigned>(1 + i % 3))
                           : by_c(sharedPair(), seed, static_cast<int>(1 + i % 3));
     });
   for (std::thread& thread : threads) thread.join();
