@@ -84,7 +84,7 @@ void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress
 void Problem::match_features() {
   correspondences = match(source_features, target_features,
                           static_cast<std::size_t>(settings.max_correspondences), kernels,
-                          thread_count(settings));
+                          thread_count(settings), &correspondences_found);
   const auto resolution_of = [this](const Cloud& cloud) {
     return mean_resolution(cloud, densities.leaf_dense, kernels, thread_count(settings));
   };

@@ -45,6 +45,7 @@ class Problem {
   Densities densities;
   Features source_features, target_features;  ///< of the dense clouds
   std::vector<Correspondence> correspondences;
+  std::size_t correspondences_found = 0;  ///< of which the best are kept
   std::vector<Seed> seeds;
   double tau = 0;
   Tims tims;

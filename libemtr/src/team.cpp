@@ -2,11 +2,15 @@
 
 #include <omp.h>
 
+#include "threads.h"
+
 namespace emtr {
 
 void Team::with(int threads, const std::function<void(Team&)>& body) {
+  threads = available_threads(threads);
   Team team;
   team.threads_ = static_cast<std::size_t>(threads);
+  if (threads == 1) return body(team);
   std::exception_ptr failure;
 #pragma omp parallel num_threads(threads)
   {

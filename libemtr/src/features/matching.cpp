@@ -91,7 +91,9 @@ struct Nearest {
 }  // namespace
 
 std::vector<Correspondence> match_mutual(const Features& source, const Features& target, int k,
-                                         std::size_t most, const Kernels& kernels, int threads) {
+                                         std::size_t most, const Kernels& kernels, int threads,
+                                         std::size_t* found) {
+  if (found) *found = 0;
   const std::vector<std::int32_t> s = described(source), t = described(target);
   if (s.empty() || t.empty() || k < 1) return {};
   const std::vector<float> rows = packed(source, s);
@@ -99,11 +101,11 @@ std::vector<Correspondence> match_mutual(const Features& source, const Features&
   const auto wanted = static_cast<std::size_t>(k);
 
   Nearest forward(s.size(), wanted);
-  std::vector<Nearest> found(static_cast<std::size_t>(threads));  // backward, by thread
+  std::vector<Nearest> parts(static_cast<std::size_t>(threads));  // backward, by thread
   const std::size_t pieces = (s.size() + kRowsOfAPiece - 1) / kRowsOfAPiece;
   Team::with(threads, [&](Team& team) {
     team.parallel(pieces, [&](std::size_t piece, std::size_t thread) {
-      Nearest& backward = found[thread];
+      Nearest& backward = parts[thread];
       if (backward.n == 0) backward = Nearest(columns.padded(), wanted);
       const std::size_t first = piece * kRowsOfAPiece;
       kernels.nearest_descriptors(
@@ -112,7 +114,7 @@ std::vector<Correspondence> match_mutual(const Features& source, const Features&
     });
   });
   Nearest backward(columns.padded(), wanted);
-  for (const Nearest& part : found)
+  for (const Nearest& part : parts)
     if (part.n != 0) backward.merge(part);
 
   std::vector<std::tuple<float, std::int32_t, std::int32_t>> mutual;
@@ -124,6 +126,7 @@ std::vector<Correspondence> match_mutual(const Features& source, const Features&
       if (backward.contains(column, static_cast<std::int32_t>(i)))
         mutual.emplace_back(forward.squared[j * forward.n + i], s[i], t[column]);
     }
+  if (found) *found = mutual.size();
   std::sort(mutual.begin(), mutual.end());
   mutual.resize(std::min(mutual.size(), most));
   std::vector<Correspondence> out;

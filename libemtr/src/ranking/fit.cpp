@@ -84,7 +84,8 @@ Fit::Sums Fit::sums(const Cloud& points, const Cloud& normals, const Rigid& pose
         unit;
     const float dot = (s.nx[i] * q.n[0] + s.ny[i] * q.n[1]) + s.nz[i] * q.n[2];
     // Without a normal both are NaN, and no inlier. No branches: which way they go is a toss-up.
-    const bool inlier = (std::abs(dot) > kSameWay) & (std::abs(e) < kTolerance);
+    const bool same = std::abs(dot) > kSameWay, near = std::abs(e) < kTolerance;
+    const bool inlier = same & near;
     const float off = e * (1.0f / kTolerance), w = 1.0f - off * off;
     const float weight = inlier ? w * w : 0.0f;
     sum.weight += static_cast<double>(weight);

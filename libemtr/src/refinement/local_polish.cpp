@@ -7,6 +7,7 @@
 #include <string>
 
 #include "../error.h"
+#include "../parallel.h"
 #include "small_motion.h"
 
 namespace emtr {
@@ -140,12 +141,7 @@ void LocalPolish::look(const Look& at, Scratch& s, int threads, Polished& out) c
     sum_block(at, reversed, begin, std::min(begin + kBlock, reversed ? m : n), b * kBlock, s,
               s.blocks[b]);
   };
-  if (threads > 1 && total > 1) {
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::size_t b = 0; b < total; ++b) work(b);
-  } else {
-    for (std::size_t b = 0; b < total; ++b) work(b);
-  }
+  in_parallel(total, threads, work);
   const auto share = [](double inliers, std::size_t queries) {
     return queries ? inliers / static_cast<double>(queries) : 0;
   };
