@@ -40,6 +40,14 @@ _Cloud: TypeAlias = NDArray[Any] | Prepared
 def register(
     source: _Cloud, target: _Cloud, settings: Settings, callback: _Callback
 ) -> dict[str, Any]: ...
+def residuals(
+    source: NDArray[Any],
+    target: NDArray[Any],
+    transformation: NDArray[np.float64],
+    threads: int,
+    of_target: bool,
+    out: NDArray[np.float64],
+) -> None: ...
 
 @final
 class ArrayView:

@@ -14,6 +14,7 @@ include "settings.pxi"
 include "cloud.pxi"
 include "progress.pxi"
 include "outcome.pxi"
+include "residuals.pxi"
 include "prepared.pxi"
 include "problem.pxi"
 

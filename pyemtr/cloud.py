@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from . import _emtr
 from .arrays import Floats, as_points
-from .options import make_settings
+from .options import thread_setting
 
 
 class Cloud:
@@ -34,8 +34,7 @@ class Cloud:
     """
 
     def __init__(self, points: Any, *, threads: int = 0) -> None:
-        chosen = int(make_settings(0, threads, "default", None, {}).get("threads"))
-        self._raw = _emtr.Prepared(as_points(points, "points"), "", chosen)
+        self._raw = _emtr.Prepared(as_points(points, "points"), "", thread_setting(threads))
         self._info: dict[str, Any] = self._raw.describe()
 
     def __len__(self) -> int:

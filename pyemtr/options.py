@@ -88,6 +88,11 @@ def make_settings(
     return chosen
 
 
+def thread_setting(threads: int) -> int:
+    """The argument ``threads`` of calls that take no other setting; raises as above."""
+    return int(make_settings(0, threads, "default", None, {}).get("threads"))
+
+
 def settings_used(chosen: _emtr.Settings) -> dict[str, Any]:
     """All settings by name, as keyword arguments that repeat the run; poses: lists or None."""
     used: dict[str, Any] = {}

@@ -23,7 +23,7 @@ cdef class Prepared:
 
     def describe(self):
         cdef emtr_prepared_info info
-        check(emtr_prepared_describe(self.prepared, &info))
+        check(emtr_prepared_describe(self.prepared, &info, sizeof(info)))
         return {"points": info.points, "dropped": info.dropped, "kept": info.kept,
                 "center": listed(info.center, 3), "radius": info.radius}
 

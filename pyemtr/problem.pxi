@@ -106,7 +106,7 @@ cdef class Problem:
 
     def describe(self):
         cdef emtr_problem_info info
-        check(emtr_problem_describe(self.problem, &info))
+        check(emtr_problem_describe(self.problem, &info, sizeof(info)))
         return {"scale": info.scale,
                 "center_source": listed(info.center_source, 3),
                 "center_target": listed(info.center_target, 3),

@@ -19,7 +19,7 @@ def describe_settings():
     cdef emtr_setting_info info
     found = []
     for index in range(emtr_setting_count()):
-        check(emtr_setting_describe(index, &info))
+        check(emtr_setting_describe(index, &info, sizeof(info)))
         found.append((info.name.decode(), SETTING_TYPES[info.type], info.unit.decode(),
                       info.minimum, info.maximum, info.value, info.part.decode(),
                       info.text.decode(), info.choices.decode()))

@@ -1,11 +1,13 @@
-// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET: the transformation by the class, twice with
-// one object, and by the C API, each 16 numbers in hexadecimal on a line of its own.
+// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET: by the class, twice with one object, and by
+// the C API, each on a line of its own in hexadecimal: 16 numbers of the transformation, 4 of the
+// agreement, and the residuals of the source.
 #include <emtr/emtr.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/registration/emtr_ssc.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 namespace {
 
@@ -17,8 +19,12 @@ struct Chosen {
   const char* preset;
 };
 
-void print(const double* T) {
-  for (int i = 0; i < 16; ++i) std::printf("%a%c", T[i], i == 15 ? '\n' : ' ');
+void print(const double* T, const emtr_result& r, const std::vector<double>& residuals) {
+  for (int i = 0; i < 16; ++i) std::printf("%a ", T[i]);
+  std::printf("%a %a %a %a", r.overlap_source, r.overlap_target, r.inlier_rmse,
+              r.inlier_rmse_plane);
+  for (const double residual : residuals) std::printf(" %a", residual);
+  std::printf("\n");
 }
 
 bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& chosen) {
@@ -32,7 +38,7 @@ bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& 
     Cloud aligned;
     registration.align(aligned);
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> T = registration.getFinalTransformation();
-    print(T.data());
+    print(T.data(), *registration.getResult(), registration.getSourceResiduals());
   }
   return true;
 }
@@ -49,7 +55,11 @@ int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen) {
     std::fprintf(stderr, "%s\n", emtr_error_message());
     return 1;
   }
-  print(result->transformation);
+  std::vector<double> residuals(source.size());
+  if (emtr_residuals(&from, &to, result->transformation, chosen.threads, residuals.data(),
+                     nullptr) != EMTR_OK)
+    return 1;
+  print(result->transformation, *result, residuals);
   emtr_result_free(result);
   return 0;
 }

@@ -56,6 +56,12 @@ def how_sure(source: NDArray[np.float32], target: NDArray[np.float32]) -> list[f
     return [other.score for other in others]
 
 
+def distances(source: NDArray[np.float32], result: pyemtr.Result) -> NDArray[np.float64]:
+    back: NDArray[np.float64] = result.residuals(source, source, of="target", threads=1)
+    print(back.max(), result.overlap_source + result.inlier_rmse_plane)
+    return pyemtr.residuals(source, source, result.transformation)
+
+
 def stage_by_stage(source: list[list[float]], target: NDArray[np.int16]) -> pyemtr.Result:
     problem = pyemtr.Problem(source, target, dense_points=1000)
     alpha = pyemtr.TaskAlpha(problem, stage="sparse")

@@ -71,6 +71,10 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                  wrapped("the settings to begin with: " + preset_names(), 66))
       ->type_name("NAME");
   const Viewpoints viewpoints(app);
+  app.add_flag("--residuals", options.residuals,
+               wrapped("measure the distance of each moved source point to the nearest target "
+                       "point: field 'residual' in --aligned, how they spread in --report",
+                       66));
   app.add_flag("-q,--quiet", options.quiet,
                "say nothing on standard error but errors and warnings");
   bool reference = false;
@@ -98,6 +102,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   viewpoints.apply(options.settings);
   options.viewpoints_from_files = viewpoints.from_files();
 
+  if (options.residuals && options.aligned.empty() && options.report.empty())
+    throw UsageFailure("--residuals: expected --aligned or --report to write them to");
   std::vector<NamedFile> input_files = {{"source", options.source}, {"target", options.target}};
   if (guess->count()) input_files.push_back({"--guess", options.guess});
   std::vector<NamedFile> output_files;

@@ -17,6 +17,7 @@ struct Options {
   std::string guess;
   std::string preset = "default";
   bool viewpoints_from_files = true;  // of the clouds for which none was given
+  bool residuals = false;             // of the source's points, in --aligned and --report
   bool quiet = false;
   emtr_settings settings{};
 };

@@ -2,6 +2,7 @@
 
 #include "json_rows.h"
 #include "report_standing.h"
+#include "residuals.h"
 #include "setting_text.h"
 #include "versions.h"
 
@@ -16,7 +17,7 @@ Json settings_json(const emtr_settings& settings) {
   Json out;
   for (std::size_t i = 0; i < emtr_setting_count(); ++i) {
     emtr_setting_info info;
-    emtr_setting_describe(i, &info);
+    emtr_setting_describe(i, &info, sizeof info);
     double value = 0;
     emtr_setting_get(&settings, info.name, &value);
     switch (info.type) {
@@ -38,29 +39,10 @@ Json settings_json(const emtr_settings& settings) {
   return out;
 }
 
-/// Names that stay the same when the texts are polished.
-const char* reason_name(emtr_reason reason) {
-  switch (reason) {
-    case EMTR_REASON_REGISTERED:
-      return "registered";
-    case EMTR_REASON_LOW_OVERLAP:
-      return "low_overlap";
-    case EMTR_REASON_AMBIGUOUS:
-      return "ambiguous";
-    case EMTR_REASON_FEW_MATCHES:
-      return "few_matches";
-    case EMTR_REASON_INTERRUPTED:
-      return "interrupted";
-    case EMTR_REASON_DEGENERATE:
-      return "degenerate";
-  }
-  return "unknown";
-}
-
 }  // namespace
 
 std::string report(const Options& options, const CloudFile& source, const CloudFile& target,
-                   const emtr_result& r) {
+                   const emtr_result& r, const std::vector<double>& residuals) {
   Json out;
   out["versions"] = {
       {"emtr", emtr_version()}, {"pcl", PCL_VERSION_PRETTY}, {"eigen", eigen_version()}};
@@ -81,15 +63,18 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                        {"target", position(s.has_viewpoint_target, s.viewpoint_target)}};
 
   out["registered"] = r.registered != 0;
-  out["reason"] = reason_name(r.reason);
+  out["reason"] = emtr_reason_name(r.reason);
   out["reason_text"] = emtr_reason_text(r.reason);
   out["confidence"] = r.confidence;
   out["transformation"] = rows<4>(r.transformation);
   out["quality"] = {{"fitness", r.fitness},
                     {"inlier_ratio_source", r.inlier_ratio_source},
                     {"inlier_ratio_target", r.inlier_ratio_target},
-                    {"inlier_rmse", r.inlier_rmse},
                     {"mode_gap", r.mode_gap},
+                    {"overlap_source", r.overlap_source},
+                    {"overlap_target", r.overlap_target},
+                    {"inlier_rmse", r.inlier_rmse},
+                    {"inlier_rmse_plane", r.inlier_rmse_plane},
                     {"score", r.score},
                     {"fit", r.fit},
                     {"violation", r.violation},
@@ -98,6 +83,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["refined"] = r.refined != 0;
   out["alternatives"] = alternatives_json(r);
   out["refinement"] = refinement_json(r);
+  out["residuals"] = options.residuals ? residuals_json(residuals) : Json();
   out["counts"] = {{"read_source", source.size()},
                    {"read_target", target.size()},
                    {"points_source", r.points_source},
@@ -123,7 +109,8 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                   {"center_source", r.center_source},
                   {"center_target", r.center_target},
                   {"leaf_sparse", r.leaf_sparse},
-                  {"leaf_dense", r.leaf_dense}};
+                  {"leaf_dense", r.leaf_dense},
+                  {"leaf_fine", r.leaf_fine}};
   out["seconds"] = {{"load_source", source.milliseconds / 1e3},
                     {"load_target", target.milliseconds / 1e3},
                     {"frame", r.seconds_frame},

@@ -183,9 +183,11 @@ typedef struct emtr_setting_info {
   const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
 } emtr_setting_info;
 
-/* The settings that have a name (all but size, has_guess and guess), in a fixed order. */
+/* The settings that have a name (all but size, has_guess and guess), in a fixed order. Here and
+ * below `size` is sizeof of the info as the caller was compiled: later versions append fields, and
+ * what this version does not know is set to zero. Less than this version's is an error. */
 EMTR_API size_t emtr_setting_count(void);
-EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info);
+EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info, size_t size);
 
 /* Sets or reads a setting by name. The range is checked here, contradictions between
  * settings when they are used. A seed above 2^53 must be set in the struct. */
@@ -236,6 +238,10 @@ typedef enum emtr_reason {
   EMTR_REASON_DEGENERATE = 5   /* the surfaces can slide or spin along themselves */
 } emtr_reason;
 
+/* A reason's short name, which stays the same: "registered", "low_overlap", "ambiguous",
+ * "few_matches", "interrupted", "degenerate". "unknown" for what is none. */
+EMTR_API const char* emtr_reason_name(emtr_reason reason);
+
 /* What a reason means, in a few words. Never null. */
 EMTR_API const char* emtr_reason_text(emtr_reason reason);
 
@@ -258,10 +264,19 @@ typedef struct emtr_result {
   double fitness;             /* mean of rho over both dense clouds, 0 (best) to 1 */
   double inlier_ratio_source; /* share of dense source points within c of the target */
   double inlier_ratio_target;
-  double inlier_rmse; /* of the source inliers to the nearest dense target point,
-                         user's unit; NaN when there are none */
-  double mode_gap;    /* fitness of the best clearly different pose (over 10 degrees
-                         or 0.15 radii away) minus that of this one */
+  double mode_gap; /* fitness of the best clearly different pose (over 10 degrees
+                      or 0.15 radii away) minus that of this one */
+
+  /* quality, at the fine clouds: both thinned by `leaf_fine`. Up to 5000 points of each cloud, as
+   * they were given (of a large one after its first thinning), evenly over their order, are asked
+   * for a partner: the nearest fine point of the other cloud, not more than leaf_fine away. NaN
+   * when interrupted */
+  double overlap_source; /* share of the source's points that have a partner */
+  double overlap_target;
+  double inlier_rmse;       /* root mean square over the source's points that have one, of the
+                               distance to it (point to point), user's unit; NaN when none has */
+  double inlier_rmse_plane; /* the same of the distance to the partner's tangent plane, which does
+                               not grow with the spacing of the points */
 
   /* counts */
   size_t points_source; /* finite */
@@ -287,6 +302,7 @@ typedef struct emtr_result {
   double center_target[3];
   double leaf_sparse; /* normalised frame */
   double leaf_dense;
+  double leaf_fine; /* NaN when interrupted */
 
   /* wall seconds */
   double seconds_frame;
@@ -309,7 +325,7 @@ typedef struct emtr_result {
 
   /* the answer's standing among the candidates */
   double confidence; /* held probability that the pose is right (within 5 degrees and 0.06 radii),
-                        0 to 1; NaN without candidates, as the four below */
+                        0 to 1, in steps of 1e-6; NaN without candidates, as the four below */
   double score;      /* fit - 2 violation, at most 1 */
   double fit;        /* how well the surfaces lie on each other, 0 to 1 (best) */
   double violation;  /* share of points in front of what the other scan saw */
@@ -349,6 +365,18 @@ EMTR_API emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* t
                                    const emtr_settings* settings, emtr_progress_fn progress,
                                    void* user, emtr_result** result);
 
+/* ---- residuals ---------------------------------------------------------------------- */
+
+/* How far each point is from the other cloud, once `transformation` (source into target, null for
+ * the identity) has moved the source: the distance to the nearest point, in the user's unit. Exact
+ * to 1e-6 of the other cloud's size, for clouds of any shape with one finite point or more; NaN
+ * for points with a NaN or an infinity. of_source has room for source->count numbers, of_target
+ * for target->count; null for what is not wanted. `threads` as in the settings, without influence
+ * on the numbers. */
+EMTR_API emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
+                                    const double transformation[16], int32_t threads,
+                                    double* of_source, double* of_target);
+
 /* ---- one cloud, many partners ------------------------------------------------------- */
 
 /* A cloud read, measured and, when it is large, thinned: what does not depend on its partner. It
@@ -370,8 +398,8 @@ typedef struct emtr_prepared_info {
   double radius;    /* largest distance from it, user's unit */
 } emtr_prepared_info;
 
-EMTR_API emtr_status emtr_prepared_describe(const emtr_prepared* prepared,
-                                            emtr_prepared_info* info);
+EMTR_API emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
+                                            size_t size);
 
 /* As emtr_register(), to the same bits. `seconds_frame` is without the preparation. */
 EMTR_API emtr_status emtr_register_prepared(const emtr_prepared* source,
@@ -440,7 +468,8 @@ typedef struct emtr_problem_info {
   size_t tims_pruned; /* of these, not kept in the arrays */
 } emtr_problem_info;
 
-EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info);
+EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info,
+                                           size_t size);
 
 typedef enum emtr_array {
   EMTR_SOURCE_SPARSE = 0, /* float32 (n, 3), normalised frame, as all clouds below */

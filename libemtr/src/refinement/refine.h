@@ -1,12 +1,12 @@
 #pragma once
 
-#include "../frame/frame.h"
 #include "../settings.h"
+#include "fine_surfaces.h"
 #include "spectrum.h"
 
 namespace emtr {
 
-/// The answer polished on fine clouds.
+/// The answer polished on the fine surfaces.
 struct Refined {
   bool succeeded = false;       ///< false: nothing held the pose, which is the one at the start
   Rigid pose;                   ///< normalised frame
@@ -15,7 +15,7 @@ struct Refined {
   Spectrum spectrum;
 };
 
-Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& settings,
+Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& settings,
                const Kernels& kernels);
 
 }  // namespace emtr

@@ -12,6 +12,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace pcl {
 
@@ -177,6 +178,16 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * align(), when it failed, and without candidates, as in preset "paper". */
   [[nodiscard]] double getConfidence() const;
 
+  /** \brief How far each point of the source (of the indices, if they are set; in the order of the
+   * output of align()) is from the nearest point of the target at the final transformation, in the
+   * clouds' unit; NaN for points that are not finite. Measured anew with each call.
+   * \return empty, with a PCL_ERROR, when there is no pose */
+  [[nodiscard]] std::vector<double> getSourceResiduals() const;
+
+  /** \brief How far each point of the target is from the nearest of the moved source points; as
+   * getSourceResiduals(). */
+  [[nodiscard]] std::vector<double> getTargetResiduals() const;
+
   /** \brief Why the last align() did or did not converge, in a few words; empty before it. */
   [[nodiscard]] std::string getReasonText() const;
 
@@ -221,6 +232,9 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   /** \brief Runs the library on \a source, the selected points, and keeps its result.
    * \return false, with the message kept, on an error */
   bool solve(const PointCloudSource& source, const Matrix4& guess);
+
+  /** \brief The residuals of either cloud. */
+  std::vector<double> measureResiduals(bool of_target) const;
 
   emtr_settings settings_;
   ProgressCallback progress_;

@@ -13,6 +13,7 @@
 #include <pcl/registration/impl/emtr_ssc_tree.hpp>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace pcl {
 
@@ -132,6 +133,40 @@ emtr_settings EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getSettings
 template <typename PointSource, typename PointTarget, typename Scalar>
 double EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getConfidence() const {
   return result_ ? result_->confidence : std::numeric_limits<double>::quiet_NaN();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::vector<double> EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getSourceResiduals()
+    const {
+  return measureResiduals(false);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::vector<double> EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getTargetResiduals()
+    const {
+  return measureResiduals(true);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::vector<double> EMTRSSCRegistration<PointSource, PointTarget, Scalar>::measureResiduals(
+    bool of_target) const {
+  if (!result_ || !final_transformation_.allFinite()) {
+    PCL_ERROR("[pcl::%s::measureResiduals] There is no pose.\n", getClassName().c_str());
+    return {};
+  }
+  PointCloudSource selected;
+  copyPointCloud(*input_, *indices_, selected);
+  const std::vector<float> source = detail::packPoints(selected);
+  const std::vector<float> target = detail::packPoints(*target_);
+  const emtr_cloud from = {source.data(), selected.size(), 0, EMTR_FLOAT32};
+  const emtr_cloud to = {target.data(), target_->size(), 0, EMTR_FLOAT32};
+  std::vector<double> residuals(of_target ? to.count : from.count);
+  double* const of_source = of_target ? nullptr : residuals.data();
+  if (emtr_residuals(&from, &to, result_->transformation, settings_.threads, of_source,
+                     of_target ? residuals.data() : nullptr) == EMTR_OK)
+    return residuals;
+  PCL_ERROR("[pcl::%s::measureResiduals] %s\n", getClassName().c_str(), emtr_error_message());
+  return {};
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
