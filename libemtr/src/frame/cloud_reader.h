@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <string>
 
+#include "../enum_number.h"
 #include "../error.h"
 
 namespace emtr {
@@ -22,8 +24,8 @@ class CloudReader {
   CloudReader(const emtr_cloud& cloud, const std::string& name)
       : first_(static_cast<const char*>(cloud.points)),
         count_(cloud.count),
-        single_(cloud.scalar == EMTR_FLOAT32) {
-    if (!single_ && cloud.scalar != EMTR_FLOAT64)
+        single_(number_of(cloud.scalar) == EMTR_FLOAT32) {
+    if (!single_ && number_of(cloud.scalar) != EMTR_FLOAT64)
       throw Error(EMTR_ERROR_ARGUMENT, name + ": scalar must be EMTR_FLOAT32 or EMTR_FLOAT64");
     if (!cloud.points && cloud.count) throw Error(EMTR_ERROR_ARGUMENT, name + ": points is null");
     const std::size_t packed = 3 * (single_ ? sizeof(float) : sizeof(double));
@@ -54,6 +56,16 @@ class CloudReader {
   /// Reads one point; false when it is not finite.
   bool read(std::size_t index, double p[3]) const {
     return single_ ? read<float>(index, p) : read<double>(index, p);
+  }
+
+  /// Reads a point as a direction, made of unit length; NaN when it is not finite or has no length.
+  void read_direction(std::size_t index, float n[3]) const {
+    double v[3];
+    const bool finite = read(index, v);
+    const double length = std::hypot(v[0], v[1], v[2]);
+    for (int k = 0; k < 3; ++k)
+      n[k] = finite && length > 0 ? static_cast<float>(v[k] / length)
+                                  : std::numeric_limits<float>::quiet_NaN();
   }
 
  private:

@@ -90,9 +90,9 @@ float squared_in_float(const emtr::Features& a, std::size_t i, const emtr::Featu
   return sum;
 }
 
-/// By sorting all of them.
-Pairs mutual_by_brute_force(const emtr::Features& a, std::size_t n, const emtr::Features& b,
-                            std::size_t m, std::size_t k) {
+/// By sorting all of them; squared(i, j) is the distance of source i to target j.
+template <class Squared>
+Pairs mutual_nearest(std::size_t n, std::size_t m, std::size_t k, const Squared& squared) {
   const auto best = [k](std::size_t others, const auto& distance) {
     std::vector<std::pair<float, std::size_t>> all;
     for (std::size_t j = 0; j < others; ++j) all.emplace_back(distance(j), j);
@@ -102,10 +102,10 @@ Pairs mutual_by_brute_force(const emtr::Features& a, std::size_t n, const emtr::
   };
   std::vector<std::vector<std::pair<float, std::size_t>>> backward;
   for (std::size_t j = 0; j < m; ++j)
-    backward.push_back(best(n, [&](std::size_t i) { return squared_in_float(a, i, b, j); }));
+    backward.push_back(best(n, [&](std::size_t i) { return squared(i, j); }));
   std::vector<std::tuple<float, std::int32_t, std::int32_t>> found;
   for (std::size_t i = 0; i < n; ++i)
-    for (const auto& [d, j] : best(m, [&](std::size_t o) { return squared_in_float(a, i, b, o); }))
+    for (const auto& [d, j] : best(m, [&](std::size_t o) { return squared(i, o); }))
       for (const auto& [e, back] : backward[j])
         if (back == i)
           found.emplace_back(d, static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
@@ -113,6 +113,12 @@ Pairs mutual_by_brute_force(const emtr::Features& a, std::size_t n, const emtr::
   Pairs out;
   for (const auto& [d, i, j] : found) out.emplace_back(i, j);
   return out;
+}
+
+Pairs mutual_by_brute_force(const emtr::Features& a, std::size_t n, const emtr::Features& b,
+                            std::size_t m, std::size_t k) {
+  return mutual_nearest(n, m, k,
+                        [&](std::size_t i, std::size_t j) { return squared_in_float(a, i, b, j); });
 }
 
 TEST(Matching, PairsAreWithinTheTopOfEachOtherInEachKernelAndForAnyThreads) {
@@ -130,6 +136,89 @@ TEST(Matching, PairsAreWithinTheTopOfEachOtherInEachKernelAndForAnyThreads) {
               << kernels->name << " " << n << " x " << m << ", k = " << k;
     }
   }
+}
+
+TEST(Matching, DescriptorsOfAnySizeAreComparedInEachKernelAndForAnyThreads) {
+  // Numbers past those of the size at hand, which must not count, are the other rows'.
+  for (const std::size_t dimension : {1u, 2u, 32u, 34u, 352u, 3000u}) {
+    const std::size_t n = 70, m = 90;
+    std::mt19937 random(static_cast<unsigned>(dimension));
+    const auto draw = [&](std::size_t rows) {
+      std::vector<float> values(rows * dimension);
+      for (float& v : values) v = static_cast<float>(random() % 100000) / 1000;
+      return values;
+    };
+    const auto a = draw(n), b = draw(m);
+    const auto squared = [&](std::size_t i, std::size_t j) {
+      float sum = 0;
+      for (std::size_t d = 0; d < dimension; ++d) {
+        const float off = a[dimension * i + d] - b[dimension * j + d];
+        sum += off * off;
+      }
+      return sum;
+    };
+    const Pairs expected = mutual_nearest(n, m, 2, squared);
+    ASSERT_FALSE(expected.empty());
+    for (const emtr::Kernels* kernels : emtr_test::kernels_here())
+      for (const int threads : {1, 3})
+        EXPECT_EQ(pairs(emtr::match_mutual(emtr::DescriptorRows(a, dimension),
+                                           emtr::DescriptorRows(b, dimension), 2, 1000000, *kernels,
+                                           threads)),
+                  expected)
+            << kernels->name << " " << dimension;
+  }
+}
+
+/// Of the k-th nearest of a row; squared, in float.
+float kth(const emtr::Features& a, std::size_t i, const emtr::Features& b, std::size_t m,
+          std::size_t k) {
+  std::vector<float> all;
+  for (std::size_t j = 0; j < m; ++j) all.push_back(squared_in_float(a, i, b, j));
+  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k - 1), all.end());
+  return all[k - 1];
+}
+
+TEST(Matching, DistinctPairsAreTheMutualOnesOrderedByHowMuchTheyStandOut) {
+  const auto a = random_features(150, 17), b = random_features(211, 18);
+  std::vector<std::tuple<float, std::int32_t, std::int32_t>> sorted;
+  for (const auto& [i, j] : mutual_by_brute_force(a, 150, b, 211, 3)) {
+    const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
+    const float d = squared_in_float(a, row, b, column), f = kth(a, row, b, 211, 10),
+                g = kth(b, column, a, 150, 10);
+    sorted.emplace_back((d / f) * (d / g), i, j);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  Pairs expected;
+  for (const auto& [key, i, j] : sorted) expected.emplace_back(i, j);
+  ASSERT_GT(expected.size(), 50u);
+  for (const emtr::Kernels* kernels : emtr_test::kernels_here())
+    for (const int threads : {1, 3})
+      EXPECT_EQ(pairs(emtr::match_distinct(a, b, 3, 1000000, *kernels, threads)), expected);
+  expected.resize(20);
+  EXPECT_EQ(pairs(emtr::match_distinct(a, b, 3, 20, emtr::select_kernels(), 2)), expected);
+}
+
+TEST(Matching, APairThatStandsOutComesBeforeNearerOnesOfACrowd) {
+  emtr::Features a = random_features(30, 19), b = a;
+  for (std::size_t i = 0; i < 29; ++i)  // all but the last are nearly one descriptor
+    for (std::size_t k = 0; k < 33; ++k)
+      for (emtr::Features* f : {&a, &b})
+        f->descriptors[33 * i + k] =
+            50 + 1e-3f * f->descriptors[33 * i + k] + (f == &b ? 1e-3f : 0);
+  for (std::size_t k = 0; k < 33; ++k) b.descriptors[33 * 29 + k] += 0.5f;
+  const auto& kernels = emtr::select_kernels();
+  EXPECT_EQ(emtr::match_mutual(a, b, 3, 1000, kernels, 1).back().source, 29);
+  EXPECT_EQ(emtr::match_distinct(a, b, 3, 1000, kernels, 1).front().source, 29);
+}
+
+TEST(Matching, IdenticalDescriptorsStandOutLeast) {
+  emtr::Features a = random_features(25, 20);
+  for (std::size_t i = 5; i < 25; ++i)
+    std::copy_n(a.descriptors.begin(), 33, &a.descriptors[33 * i]);
+  const auto all = emtr::match_distinct(a, a, 1, 1000, emtr::select_kernels(), 1);
+  ASSERT_EQ(all.size(), 5u);
+  EXPECT_EQ(all.back().source, 0);  // one of twenty-one
+  EXPECT_TRUE(emtr::match_distinct(a, emtr::Features{}, 3, 10, emtr::select_kernels(), 1).empty());
 }
 
 TEST(Matching, OfEqualDistancesTheSmallestRowIsTheNearer) {
