@@ -1,7 +1,6 @@
 // entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET [normals | features | FILE]: by the class,
-// twice with one object, and by the C API, each on a line of its own in hexadecimal: 16 numbers of
-// the transformation, 4 of the agreement, and the residuals of the source. With the normals or the
-// field fpfh of the files, or a file of correspondences.
+// twice with one object, and by the C API, each as a line "result" and lines "name value ...", in
+// hexadecimal. With the normals or the field fpfh of the files, or a file of correspondences.
 #include <emtr/emtr.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/registration/emtr_ssc.h>
@@ -21,6 +20,43 @@ struct Chosen {
   unsigned long seed;
   const char* preset;
 };
+
+template <class Value>
+void print(const char* name, const Value* values, std::size_t n) {
+  std::printf("%s", name);
+  for (std::size_t i = 0; i < n; ++i) std::printf(" %a", static_cast<double>(values[i]));
+  std::printf("\n");
+}
+
+void print(const emtr_result& r, const std::vector<double>& residuals) {
+  std::printf("result\nreason %s\n", emtr_reason_name(r.reason));
+#define SCALAR(field) print(#field, &r.field, 1)
+  SCALAR(registered), SCALAR(fitness), SCALAR(inlier_ratio_source), SCALAR(inlier_ratio_target);
+  SCALAR(overlap_source), SCALAR(overlap_target), SCALAR(inlier_rmse_plane), SCALAR(leaf_fine);
+  SCALAR(inlier_rmse), SCALAR(mode_gap), SCALAR(points_source), SCALAR(points_target);
+  SCALAR(dropped_source), SCALAR(dropped_target), SCALAR(sparse_source), SCALAR(dense_source);
+  SCALAR(dense_target), SCALAR(correspondences), SCALAR(tims), SCALAR(tims_pruned);
+  SCALAR(scale), SCALAR(leaf_sparse), SCALAR(leaf_dense), SCALAR(iterations);
+  SCALAR(confidence), SCALAR(score), SCALAR(fit), SCALAR(violation), SCALAR(score_gap);
+  SCALAR(seeds), SCALAR(candidates), SCALAR(escalated), SCALAR(refined), SCALAR(free_directions);
+#undef SCALAR
+  print("transformation", r.transformation, 16);
+  print("center_source", r.center_source, 3);
+  print("center_target", r.center_target, 3);
+  print("history_alpha", r.history_alpha, r.iterations);
+  print("history_beta", r.history_beta, r.iterations);
+  static_assert(sizeof(emtr_alternative) == 17 * sizeof(double), "pose and score, side by side");
+  print("alternatives", r.alternative_count ? r.alternatives->transformation : nullptr,
+        17 * r.alternative_count);
+  print("information", r.information, 36);
+  print("hold", r.hold, 6);
+  print("hold_directions", r.hold_directions, 36);
+  const std::uint64_t lookups[] = {r.lookups_evaluation, r.lookups_switch, r.lookups_complement};
+  print("lookups", lookups, 3);
+  print("residuals", residuals.data(), residuals.size());
+  const std::vector<float> single(residuals.begin(), residuals.end());
+  print("residuals_single", single.data(), single.size());
+}
 
 /// What is handed in; what is not is empty.
 struct Handed {
@@ -71,14 +107,6 @@ struct Handed {
   }
 };
 
-void print(const double* T, const emtr_result& r, const std::vector<double>& residuals) {
-  for (int i = 0; i < 16; ++i) std::printf("%a ", T[i]);
-  std::printf("%a %a %a %a", r.overlap_source, r.overlap_target, r.inlier_rmse,
-              r.inlier_rmse_plane);
-  for (const double residual : residuals) std::printf(" %a", residual);
-  std::printf("\n");
-}
-
 bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& chosen,
               const Handed& handed) {
   pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ, double> registration;
@@ -91,8 +119,11 @@ bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& 
   for (int twice = 0; twice < 2; ++twice) {
     Cloud aligned;
     registration.align(aligned);
+    if (!registration.getResult()) return false;
+    emtr_result result = *registration.getResult();
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> T = registration.getFinalTransformation();
-    print(T.data(), *registration.getResult(), registration.getSourceResiduals());
+    std::copy_n(T.data(), 16, result.transformation);
+    print(result, registration.getSourceResiduals());
   }
   return true;
 }
@@ -117,7 +148,7 @@ int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen, const H
   if (emtr_residuals(&from, &to, result->transformation, chosen.threads, residuals.data(),
                      nullptr) != EMTR_OK)
     return 1;
-  print(result->transformation, *result, residuals);
+  print(*result, residuals);
   emtr_result_free(result);
   return 0;
 }

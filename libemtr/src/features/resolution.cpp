@@ -75,8 +75,10 @@ double mean_spacing(const Cloud& cloud, std::size_t most) {
   const std::size_t step = std::max<std::size_t>(1, cloud.size() / most);
   double sum = 0;
   std::size_t asked = 0;
-  for (std::size_t i = 0; i < cloud.size(); i += step, ++asked)
+  for (std::size_t i = 0; i < cloud.size(); i += step, ++asked) {
+    poll_each(asked, 6);
     sum += std::sqrt(static_cast<double>(tree.squared_to_other_place(i)));
+  }
   return sum / static_cast<double>(asked);
 }
 

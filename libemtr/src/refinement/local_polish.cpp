@@ -7,7 +7,6 @@
 #include <string>
 
 #include "../error.h"
-#include "../parallel.h"
 #include "small_motion.h"
 
 namespace emtr {
@@ -128,7 +127,7 @@ void LocalPolish::sum_block(const Look& at, bool reversed, std::size_t begin, st
   }
 }
 
-void LocalPolish::look(const Look& at, Scratch& s, int threads, Polished& out) const {
+void LocalPolish::look(const Look& at, Scratch& s, Team& team, Polished& out) const {
   const std::size_t n = at.all ? source_.queries.size() : source_.first,
                     m = !settings_.both_ways ? 0
                         : at.all             ? target_.queries.size()
@@ -141,7 +140,7 @@ void LocalPolish::look(const Look& at, Scratch& s, int threads, Polished& out) c
     sum_block(at, reversed, begin, std::min(begin + kBlock, reversed ? m : n), b * kBlock, s,
               s.blocks[b]);
   };
-  in_parallel(total, threads, work);
+  team.parallel(total, [&](std::size_t b, std::size_t) { work(b); });
   const auto share = [](double inliers, std::size_t queries) {
     return queries ? inliers / static_cast<double>(queries) : 0;
   };
@@ -156,6 +155,13 @@ void LocalPolish::look(const Look& at, Scratch& s, int threads, Polished& out) c
 }
 
 Polished LocalPolish::operator()(const Rigid& start, Scratch& s, int threads) const {
+  Polished out;
+  const auto body = [&](Team& team) { out = polished(start, s, team); };
+  Team::with(threads, std::ref(body));
+  return out;
+}
+
+Polished LocalPolish::polished(const Rigid& start, Scratch& s, Team& team) const {
   double T[16];
   to_matrix(start, T);
   require(is_rigid(T), "expected a finite rigid pose at the start");
@@ -170,7 +176,7 @@ Polished LocalPolish::operator()(const Rigid& start, Scratch& s, int threads) co
   Look at{start, settings_.first_scale * leaf_, settings_.first_scale <= settings_.last_scale};
   out.end = PolishEnd::Iterations;
   while (out.iterations < settings_.iterations && out.end == PolishEnd::Iterations) {
-    look(at, s, threads, out);
+    look(at, s, team, out);
     ++out.iterations;
     const Vector6 step = solve(out.sums);
     if (out.sums.inliers < static_cast<double>(settings_.least_inliers) || !step.allFinite()) {
