@@ -7,9 +7,9 @@
 #include "error.h"
 #include "features/kdtree_neighbors.h"
 #include "features/resolution.h"
-#include "parallel.h"
 #include "registration.h"
 #include "stopwatch.h"
+#include "team.h"
 
 namespace emtr {
 namespace {

@@ -44,4 +44,12 @@ class Team {
   std::exception_ptr failure_;
 };
 
+/// Runs job(i) once for each i < n on a team of its own, and throws what the first failing job
+/// threw. Jobs that keep their results by i make a whole that does not depend on the threads.
+template <class Job>
+void in_parallel(std::size_t n, int threads, const Job& job) {
+  Team::with(n > 1 ? threads : 1,
+             [&](Team& team) { team.parallel(n, [&](std::size_t i, std::size_t) { job(i); }); });
+}
+
 }  // namespace emtr

@@ -1,7 +1,7 @@
 #include "base_points.h"
 
 #include "../features/voxel_grid.h"
-#include "../parallel.h"
+#include "../team.h"
 #include "slabs.h"
 
 namespace emtr {

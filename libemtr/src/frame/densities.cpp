@@ -8,7 +8,7 @@
 #include "../error.h"
 #include "../features/voxel_counter.h"
 #include "../features/voxel_grid.h"
-#include "../parallel.h"
+#include "../team.h"
 
 namespace emtr {
 namespace {

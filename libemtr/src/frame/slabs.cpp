@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../features/voxel_grid.h"
-#include "../parallel.h"
+#include "../team.h"
 
 namespace emtr {
 namespace {
