@@ -29,13 +29,31 @@ class Settings:
     def viewpoint_target(self) -> list[float] | None: ...
     @viewpoint_target.setter
     def viewpoint_target(self, value: NDArray[np.float64]) -> None: ...
+    @property
+    def correspondences(self) -> int | None: ...
+    @correspondences.setter
+    def correspondences(self, value: NDArray[np.int32]) -> None: ...
+
+@final
+class Rows:
+    def __init__(self, array: NDArray[Any]) -> None: ...
+
+@final
+class CloudBuffer:
+    def __init__(
+        self,
+        points: NDArray[Any],
+        normals: NDArray[Any] | None = None,
+        features: NDArray[np.float32] | None = None,
+        keep_points: bool = False,
+    ) -> None: ...
 
 @final
 class Prepared:
-    def __init__(self, array: NDArray[Any], name: str, threads: int) -> None: ...
+    def __init__(self, buffer: CloudBuffer, name: str, threads: int) -> None: ...
     def describe(self) -> dict[str, Any]: ...
 
-_Cloud: TypeAlias = NDArray[Any] | Prepared
+_Cloud: TypeAlias = CloudBuffer | Prepared
 
 def register(
     source: _Cloud, target: _Cloud, settings: Settings, callback: _Callback

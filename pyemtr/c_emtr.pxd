@@ -23,6 +23,8 @@ cdef extern from "emtr/emtr.h" nogil:
         double viewpoint_source[3]
         int32_t has_viewpoint_target
         double viewpoint_target[3]
+        const int32_t* correspondences
+        size_t correspondence_count
 
     ctypedef enum emtr_setting_type:
         EMTR_SETTING_INTEGER
@@ -57,6 +59,12 @@ cdef extern from "emtr/emtr.h" nogil:
         size_t count
         size_t stride
         emtr_scalar scalar
+        const void* normals
+        size_t normal_stride
+        const float* features
+        size_t feature_dimension
+        size_t feature_stride
+        int32_t keep_points
 
     ctypedef struct emtr_progress:
         const char* stage
@@ -135,6 +143,8 @@ cdef extern from "emtr/emtr.h" nogil:
         size_t points, dropped, kept
         double center[3]
         double radius
+        int32_t normals
+        size_t described, feature_dimension
 
     emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
                                        size_t size)
@@ -192,6 +202,10 @@ cdef extern from "emtr/emtr.h" nogil:
         EMTR_CORRESPONDENCES
         EMTR_TIM_SOURCE
         EMTR_TIM_TARGET
+        EMTR_SOURCE_FEATURE_POINTS
+        EMTR_TARGET_FEATURE_POINTS
+        EMTR_SOURCE_FEATURE_ROWS
+        EMTR_TARGET_FEATURE_ROWS
 
     emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which,
                                    const void** data, size_t* rows, size_t* columns)

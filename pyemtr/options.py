@@ -12,7 +12,7 @@ from typing import Any, Union
 import numpy as np
 
 from . import _emtr
-from .arrays import as_transformation, as_vector
+from .arrays import as_correspondences, as_transformation, as_vector
 
 Value = Union[int, float, bool, str]
 
@@ -88,6 +88,13 @@ def make_settings(
     return chosen
 
 
+def take_correspondences(chosen: _emtr.Settings, correspondences: Any) -> bool:
+    """Hands them in; whether there are any. Raises as :func:`as_correspondences`."""
+    if correspondences is not None:
+        chosen.correspondences = as_correspondences(correspondences)
+    return correspondences is not None
+
+
 def thread_setting(threads: int) -> int:
     """The argument ``threads`` of calls that take no other setting; raises as above."""
     return int(make_settings(0, threads, "default", None, {}).get("threads"))
@@ -152,7 +159,18 @@ def _seed(value: Any) -> int:
     return whole
 
 
-_OWN = ["preset", "guess", "source_viewpoint", "target_viewpoint"]  # that the table leaves out
+# that the table leaves out
+_OWN = [
+    "preset",
+    "guess",
+    "source_viewpoint",
+    "target_viewpoint",
+    "source_normals",
+    "target_normals",
+    "source_features",
+    "target_features",
+    "correspondences",
+]
 
 
 def _unknown(name: str, known: list[str]) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _emtr
 from .cloud import as_cloud
-from .options import Value, make_settings, settings_used
+from .options import Value, make_settings, settings_used, take_correspondences
 from .progress import Callback, as_raw_callback
 from .result import Result, make_result
 
@@ -21,6 +21,11 @@ def register(
     guess: Any = None,
     source_viewpoint: Any = None,
     target_viewpoint: Any = None,
+    source_normals: Any = None,
+    target_normals: Any = None,
+    source_features: Any = None,
+    target_features: Any = None,
+    correspondences: Any = None,
     callback: Callback | None = None,
     **settings: Value,
 ) -> Result:
@@ -45,6 +50,17 @@ def register(
             frame and unit. What it saw tells candidates apart: no surface is in front of it.
             None when not known; it is then estimated where it is needed.
         target_viewpoint: (3,), likewise of the target, in the target's frame and unit.
+        source_normals: (N, 3), normals of the source's points, used instead of estimating them. Of
+            any length; NaN or zero where a point has none. Where both clouds have some, the side
+            that they point to counts. What an object has in ``.normals`` is not used by itself.
+        target_normals: (M, 3), likewise of the target.
+        source_features: (N, D), descriptors of the source's points, computed elsewhere: the mutual
+            nearest neighbours by Euclidean distance are matched, instead of those by FPFH. NaN
+            where a point has none. Used as float32; both clouds or none, of one D.
+        target_features: (M, D), likewise of the target.
+        correspondences: (K, 2) of whole numbers, rows of source and target held to be the same
+            place, many of which may be wrong: taken instead of any matching. At least 3 different
+            ones; of more than ``max_correspondences`` so many, evenly spread over the list.
         callback: called with a :class:`pyemtr.Progress` before each stage and after each
             iteration. Return True to stop: the result then has the reason "interrupted". What
             it raises stops the run and reaches the caller. Ctrl-C is looked at as often, with
@@ -57,7 +73,8 @@ def register(
 
     Raises:
         TypeError: an argument of a wrong type, an unknown setting.
-        ValueError: a wrong shape, a value out of range, a cloud that cannot be registered
+        ValueError: a wrong shape, a value out of range, a correspondence of points that there are
+            not or that are not finite, a cloud that cannot be registered
             (fewer than 10 finite points, all on one point or one line).
         MemoryError: an allocation failed.
         RuntimeError: a defect of the library.
@@ -65,7 +82,11 @@ def register(
     chosen = make_settings(
         seed, threads, preset, guess, settings, source_viewpoint, target_viewpoint
     )
+    keep = take_correspondences(chosen, correspondences)
     raw = _emtr.register(
-        as_cloud(source, "source"), as_cloud(target, "target"), chosen, as_raw_callback(callback)
+        as_cloud(source, "source", source_normals, source_features, keep),
+        as_cloud(target, "target", target_normals, target_features, keep),
+        chosen,
+        as_raw_callback(callback),
     )
     return make_result(raw, settings_used(chosen))

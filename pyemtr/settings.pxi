@@ -30,6 +30,7 @@ def describe_settings():
 cdef class Settings:
     """A preset, to be changed."""
     cdef emtr_settings values
+    cdef const int32_t[:, ::1] pairs  # what values.correspondences points to
 
     def __init__(self, str preset not None):
         check(emtr_settings_init(&self.values, sizeof(emtr_settings), preset.encode()))
@@ -88,6 +89,19 @@ cdef class Settings:
     def viewpoint_target(self, const double[::1] value):
         place(value, self.values.viewpoint_target)
         self.values.has_viewpoint_target = 1
+
+    @property
+    def correspondences(self):
+        """How many, or None."""
+        return None if self.values.correspondences == NULL else self.values.correspondence_count
+
+    @correspondences.setter
+    def correspondences(self, const int32_t[:, ::1] value):
+        if value.shape[0] == 0 or value.shape[1] != 2:
+            raise ValueError("correspondences: int32 of shape (k, 2), k > 0, is expected")
+        self.pairs = value
+        self.values.correspondences = &value[0, 0]
+        self.values.correspondence_count = value.shape[0]
 
 
 cdef list listed(const double* values, size_t count):

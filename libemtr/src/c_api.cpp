@@ -290,6 +290,9 @@ emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_
     out.kept = cloud.base.size();
     std::copy_n(cloud.center, 3, out.center);
     out.radius = cloud.radius;
+    out.normals = cloud.normals.size() != 0;
+    out.described = cloud.described.rows.size();
+    out.feature_dimension = cloud.described.dimension;
     hand_out(out, info, size);
   });
 }

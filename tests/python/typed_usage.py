@@ -89,3 +89,16 @@ def describe() -> str:
         for name, setting in pyemtr.settings().items()
     ]
     return "\n".join([pyemtr.__version__, *pyemtr.presets(), *lines])
+
+
+def brought_along(
+    source: NDArray[np.float32], target: NDArray[np.float32], codes: NDArray[np.float32]
+) -> NDArray[np.int32]:
+    model = pyemtr.Cloud(target, normals=target, features=codes, keep_points=True)
+    print(model.has_normals, model.described + 1)
+    result = pyemtr.register(source, model, source_normals=source, source_features=codes)
+    again = pyemtr.register(source, target, correspondences=[[0, 1], [2, 3], [4, 5]])
+    print(result.confidence + again.confidence)
+    problem = pyemtr.Problem(source, target, source_features=codes, target_features=codes)
+    rows: NDArray[np.int32] = problem.source_feature_rows[problem.correspondences[:, 0]]
+    return rows

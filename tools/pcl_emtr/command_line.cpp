@@ -67,6 +67,11 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   CLI::Option* guess = file("--guess", options.guess,
                             "a text file of a 4x4 pose, source into target, to try among others; "
                             "the search does not stay near it");
+  CLI::Option* correspondences =
+      file("--correspondences", options.correspondences.path,
+           "a text file of matches to take instead of our own: a line for each, the rows of a "
+           "source and a target point counted from 0");
+  options.fields.add_options(app);
   app.add_option("--preset", options.preset,
                  wrapped("the settings to begin with: " + preset_names(), 66))
       ->type_name("NAME");
@@ -106,6 +111,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
     throw UsageFailure("--residuals: expected --aligned or --report to write them to");
   std::vector<NamedFile> input_files = {{"source", options.source}, {"target", options.target}};
   if (guess->count()) input_files.push_back({"--guess", options.guess});
+  if (correspondences->count())
+    input_files.push_back({"--correspondences", options.correspondences.path});
   std::vector<NamedFile> output_files;
   for (const CLI::Option* output : outputs)
     if (output->count()) output_files.push_back({output->get_name(), output->as<std::string>()});

@@ -35,6 +35,11 @@ void check_before(Options& options) {
     read_matrix(options.guess, options.settings.guess);
     options.settings.has_guess = 1;
   }
+  if (!options.correspondences.path.empty()) {
+    options.correspondences = read_correspondences(options.correspondences.path);
+    options.settings.correspondences = options.correspondences.pairs.data();
+    options.settings.correspondence_count = options.correspondences.size();
+  }
   for (const auto* path : {&options.output, &options.aligned, &options.report})
     if (!path->empty()) OutputFiles::require_writable(*path);
   if (options.output.empty() && fcntl(STDOUT_FILENO, F_GETFL) < 0)

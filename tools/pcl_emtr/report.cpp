@@ -51,7 +51,8 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                   {"transformation", file_name(options.output)},
                   {"aligned", file_name(options.aligned)},
                   {"report", options.report},
-                  {"guess", file_name(options.guess)}};
+                  {"guess", file_name(options.guess)},
+                  {"correspondences", file_name(options.correspondences.path)}};
   out["preset"] = options.preset;
   out["seed"] = r.seed;
   out["threads"] = r.threads;
@@ -61,6 +62,10 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["guess"] = s.has_guess ? rows<4>(s.guess) : Json();
   out["viewpoints"] = {{"source", position(s.has_viewpoint_source, s.viewpoint_source)},
                        {"target", position(s.has_viewpoint_target, s.viewpoint_target)}};
+
+  out["handed_in"] = {{"normals", options.fields.normals},
+                      {"features", file_name(options.fields.features)},
+                      {"correspondences", options.correspondences.size()}};
 
   out["registered"] = r.registered != 0;
   out["reason"] = emtr_reason_name(r.reason);

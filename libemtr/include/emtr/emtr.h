@@ -24,6 +24,14 @@
 #define EMTR_API __attribute__((visibility("default")))
 #endif
 
+/* Fields that an initialiser may leave out: in C they are zero by themselves. */
+#if defined(__cplusplus) && __cplusplus >= 201402L
+#define EMTR_ZERO \
+  {}
+#else
+#define EMTR_ZERO
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -85,7 +93,7 @@ typedef struct emtr_settings {
   int32_t injected_seeds; /* of them, particles of both swarms that start there */
 
   /* task beta */
-  double tau_factor;       /* tau / mean resolution of the feature clouds */
+  double tau_factor;       /* tau / mean resolution of the dense clouds */
   double inlier_threshold; /* in tau */
   double outlier_penalty;  /* eta, in tau */
 
@@ -154,6 +162,12 @@ typedef struct emtr_settings {
   double viewpoint_source[3];
   int32_t has_viewpoint_target;
   double viewpoint_target[3];
+
+  /* matches made elsewhere, in the place of our own: pairs (row of the source's points, row of the
+   * target's), correspondence_count of them; null: none. At least 3 different ones, of finite
+   * points; of more than max_correspondences so many are taken, evenly spread over the list */
+  const int32_t* correspondences;
+  size_t correspondence_count;
 } emtr_settings;
 
 /* Fills *settings with a preset: "default" (also for a null pointer), "fast", "thorough" or
@@ -183,9 +197,9 @@ typedef struct emtr_setting_info {
   const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
 } emtr_setting_info;
 
-/* The settings that have a name (all but size, has_guess and guess), in a fixed order. Here and
- * below `size` is sizeof of the info as the caller was compiled: later versions append fields, and
- * what this version does not know is set to zero. Less than this version's is an error. */
+/* The settings that have a name (all but size, guess, viewpoints and correspondences), in a fixed
+ * order. Here and below `size` is sizeof of the info as the caller was compiled: later versions
+ * append fields. What this one does not know becomes zero; less than its own is an error. */
 EMTR_API size_t emtr_setting_count(void);
 EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info, size_t size);
 
@@ -202,12 +216,29 @@ typedef enum emtr_scalar { EMTR_FLOAT32 = 0, EMTR_FLOAT64 = 1 } emtr_scalar;
 /* x, y, z side by side in memory; `stride` bytes from one point to the next (0: packed).
  * No alignment is asked for. Points with a NaN or an infinity are dropped and counted.
  * Needed: at least 10 finite points, 10 also after thinning (some 25 well spread ones do), that
- * do not lie on one point or one line. */
+ * do not lie on one point or one line.
+ *
+ * What was computed elsewhere can be handed in, one row a point; null: none.
+ * Normals replace those that would be estimated. They need not be of unit length; a point whose
+ * normal has a NaN, an infinity or no length has none. Where both clouds have some, the side that
+ * they point to counts in the features.
+ * Features are descriptors of any kind, both clouds or none, compared by Euclidean distance: the
+ * mutual nearest ones are matched, as those of our own would be. A point whose row has a NaN or an
+ * infinity has none. Of a cloud with more than 20 000 described points one in each dense leaf is
+ * matched, the nearest to its middle. */
 typedef struct emtr_cloud {
   const void* points;
   size_t count;
   size_t stride;
   emtr_scalar scalar;
+  const void* normals EMTR_ZERO;      /* x, y, z, of the scalar of the points */
+  size_t normal_stride EMTR_ZERO;     /* bytes from one to the next, 0: packed */
+  const float* features EMTR_ZERO;    /* row-major (count, feature_dimension) */
+  size_t feature_dimension EMTR_ZERO; /* 1 to 65536 */
+  size_t feature_stride EMTR_ZERO;    /* bytes from one row to the next, 0: packed */
+  /* 1: to be registered with correspondences once it is prepared. All points are kept then, also of
+   * a cloud of more than 200 000, at 12 bytes each; smaller clouds always keep them */
+  int32_t keep_points EMTR_ZERO;
 } emtr_cloud;
 
 /* ---- progress ----------------------------------------------------------------------- */
@@ -394,6 +425,9 @@ typedef struct emtr_prepared_info {
   size_t kept;      /* points left by the thinning of a large cloud, else as many as `points` */
   double center[3]; /* centroid, user's unit */
   double radius;    /* largest distance from it, user's unit */
+  int32_t normals;  /* 1: it came with normals */
+  size_t described; /* points with features; of more than 200 000, those left by a thinning */
+  size_t feature_dimension;
 } emtr_prepared_info;
 
 EMTR_API emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
@@ -472,15 +506,22 @@ EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_pro
 typedef enum emtr_array {
   EMTR_SOURCE_SPARSE = 0, /* float32 (n, 3), normalised frame, as all clouds below */
   EMTR_TARGET_SPARSE = 1,
-  EMTR_SOURCE_DENSE = 2, /* also the feature cloud */
+  EMTR_SOURCE_DENSE = 2,
   EMTR_TARGET_DENSE = 3,
   EMTR_SOURCE_NORMALS = 4, /* float32 (n, 3), NaN where there is none */
   EMTR_TARGET_NORMALS = 5,
-  EMTR_SOURCE_FEATURES = 6, /* float32 (n, 33) FPFH, NaN where there is none */
+  EMTR_SOURCE_FEATURES = 6, /* float32 (n, 33) FPFH, NaN where there is none; or those that were
+                               handed in; no rows when correspondences were */
   EMTR_TARGET_FEATURES = 7,
-  EMTR_CORRESPONDENCES = 8, /* int32 (k, 2): rows of source and target dense cloud */
+  EMTR_CORRESPONDENCES = 8, /* int32 (k, 2): rows of source and target feature points */
   EMTR_TIM_SOURCE = 9,      /* float32 (l, 3): p_k - p_j of those not pruned */
-  EMTR_TIM_TARGET = 10
+  EMTR_TIM_TARGET = 10,
+  EMTR_SOURCE_FEATURE_POINTS = 11, /* float32 (n, 3): the points that are matched: the dense cloud,
+                                      or those that features or correspondences were given for */
+  EMTR_TARGET_FEATURE_POINTS = 12,
+  EMTR_SOURCE_FEATURE_ROWS = 13, /* int32 (n, 1): their rows in the caller's array; no rows when
+                                    it is the dense cloud */
+  EMTR_TARGET_FEATURE_ROWS = 14
 } emtr_array;
 
 /* A view of one of the problem's arrays, row-major, valid until it is freed. */

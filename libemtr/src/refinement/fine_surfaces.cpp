@@ -17,8 +17,11 @@ constexpr double kQueries = 5e4;  // look-ups of one polish, about
 FineSurfaces fine_surfaces(const NormalisedPair& pair, double leaf, const Kernels& kernels) {
   FineSurfaces out;
   for (int attempt = 0;; ++attempt) {
-    out.source = thin_surface(pair.source, leaf);
-    out.target = thin_surface(pair.target, leaf);
+    const auto thin = [&](const Cloud& cloud, const Cloud& normals) {
+      return normals.size() ? thin_surface(cloud, normals, leaf) : thin_surface(cloud, leaf);
+    };
+    out.source = thin(pair.source, pair.prepared_source->normals);
+    out.target = thin(pair.target, pair.prepared_target->normals);
     const auto filling = [](const Cloud& points, const Surface& surface) {
       return static_cast<double>(points.size()) / static_cast<double>(surface.points.size());
     };

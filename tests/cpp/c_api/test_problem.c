@@ -91,7 +91,7 @@ static void wrong_calls(emtr_problem* problem) {
 
 int main(void) {
   bumpy_pair pair;
-  emtr_cloud source = {NULL, 0, 0, EMTR_FLOAT32}, target = {NULL, 0, 0, EMTR_FLOAT32};
+  emtr_cloud source = {.scalar = EMTR_FLOAT32}, target = {.scalar = EMTR_FLOAT32};
   emtr_problem* problem = NULL;
   emtr_problem_info info;
   emtr_result *at_once = NULL, *solved = NULL;

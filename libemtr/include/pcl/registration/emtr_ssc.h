@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <pcl/registration/impl/emtr_ssc_handed.hpp>
 #include <pcl/registration/impl/emtr_ssc_prepared.hpp>
 #include <string>
 #include <type_traits>
@@ -66,6 +67,12 @@ namespace pcl {
  * \note What can be made ready of a cloud by itself is made once and used again by the next align()
  * as long as its coordinates, and for the source the indices, stay the same: so one target serves
  * many sources, and one source many targets. A copy of the coordinates is kept for that.
+ *
+ * \note Normals, features and correspondences that were computed elsewhere can be handed in; the
+ * setters copy them. They belong to the clouds of setInputSource() and setInputTarget(), a row or
+ * an index a point of the whole cloud whatever setIndices() selects, and stay until they are set
+ * anew or cleared, for clouds to come as well. When they are not as many as the points, align()
+ * fails. The normals of a PointNormal cloud are not used by themselves.
  *
  * \note hasConverged() means that the pose is held to be right, not that the loop ended. An input
  * that cannot be registered is reported by PCL_ERROR and getErrorMessage(), hasConverged() is
@@ -130,7 +137,8 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * \return false, with a PCL_ERROR and \a value as it was, when the name is unknown */
   bool getSetting(const std::string& name, double& value) const;
 
-  /** \brief Replaces all settings at once, the viewpoints too; they are checked by align().
+  /** \brief Replaces all settings at once, the viewpoints too but not the correspondences, see
+   * setCorrespondences(); they are checked by align().
    * `iterations` becomes the maximum number of iterations. */
   void setSettings(const emtr_settings& settings);
 
@@ -165,6 +173,58 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
 
   /** \brief Takes back setTargetViewpoint(): the sensor_origin_ of the target decides again. */
   void clearTargetViewpoint() { settings_.has_viewpoint_target = 0; }
+
+  /** \brief Hands in descriptors of the source's points, of any type that PCL has a
+   * DefaultPointRepresentation for, or of any Histogram; both clouds or none, of one type. They are
+   * matched in the place of our own FPFH. A point whose descriptor has a NaN has none. */
+  template <typename FeatureCloud>
+  void setSourceFeatures(const shared_ptr<FeatureCloud>& features) {
+    setFeatures(features, "setSourceFeatures", source_handed_, prepared_source_);
+  }
+
+  /** \brief The same by a representation of your own, which may scale or leave out numbers. */
+  template <typename FeatureCloud>
+  void setSourceFeatures(
+      const shared_ptr<FeatureCloud>& features,
+      const PointRepresentation<typename FeatureCloud::PointType>& representation) {
+    setFeatures(features, representation, source_handed_, prepared_source_);
+  }
+
+  /** \brief Hands in descriptors of the target's points; as setSourceFeatures(). */
+  template <typename FeatureCloud>
+  void setTargetFeatures(const shared_ptr<FeatureCloud>& features) {
+    setFeatures(features, "setTargetFeatures", target_handed_, prepared_target_);
+  }
+  template <typename FeatureCloud>
+  void setTargetFeatures(
+      const shared_ptr<FeatureCloud>& features,
+      const PointRepresentation<typename FeatureCloud::PointType>& representation) {
+    setFeatures(features, representation, target_handed_, prepared_target_);
+  }
+
+  /** \brief Hands in normals of the source's points, in the place of the estimated ones; of any
+   * length, NaN or zero where there is none. Null takes them back. */
+  void setSourceNormals(const PointCloud<Normal>::ConstPtr& normals) {
+    setNormals(normals, source_handed_, prepared_source_);
+  }
+
+  /** \brief Hands in normals of the target's points; as setSourceNormals(). */
+  void setTargetNormals(const PointCloud<Normal>::ConstPtr& normals) {
+    setNormals(normals, target_handed_, prepared_target_);
+  }
+
+  /** \brief Hands in matches in the place of our own: index_query of the source, index_match of the
+   * target; distance and weight are not used. At least three different ones of finite points, else
+   * align() fails; those of source points that setIndices() leaves out are left out too. Null takes
+   * them back. */
+  void setCorrespondences(const CorrespondencesConstPtr& correspondences);
+
+  /** \brief Take back what was handed in. */
+  void clearSourceFeatures() { clear(source_handed_.features, prepared_source_); }
+  void clearTargetFeatures() { clear(target_handed_.features, prepared_target_); }
+  void clearSourceNormals() { clear(source_handed_.normals, prepared_source_); }
+  void clearTargetNormals() { clear(target_handed_.normals, prepared_target_); }
+  void clearCorrespondences() { setCorrespondences(nullptr); }
 
   /** \brief Sets what is told of the progress, on the thread that calls align(); an empty function
    * for nothing. What it throws stops the run and comes out of align(), which then has no pose. */
@@ -220,6 +280,29 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   static void fillViewpoint(const Eigen::Vector4f& sensor_origin, std::int32_t& known,
                             double (&position)[3]);
 
+  static void clear(detail::HandedRows& handed, detail::PreparedInput& prepared);
+
+  static void setNormals(const PointCloud<Normal>::ConstPtr& normals, detail::HandedIn& handed,
+                         detail::PreparedInput& prepared);
+
+  template <typename FeatureCloud>
+  void setFeatures(const shared_ptr<FeatureCloud>& features, const char* setter,
+                   detail::HandedIn& handed, detail::PreparedInput& prepared);
+
+  template <typename FeatureCloud>
+  void setFeatures(const shared_ptr<FeatureCloud>& features,
+                   const PointRepresentation<typename FeatureCloud::PointType>& representation,
+                   detail::HandedIn& handed, detail::PreparedInput& prepared);
+
+  /** \brief Whether setIndices() selects the source as it is. */
+  [[nodiscard]] bool selectsAll() const;
+
+  /** \brief Makes the clouds ready with what was handed in, and \a pairs of the correspondences.
+   * \return false, with the message kept, on an error */
+  bool prepare(const PointCloudSource& source, std::int32_t threads,
+               std::shared_ptr<const emtr_prepared> (&prepared)[2],
+               std::vector<std::int32_t>& pairs);
+
   /** \brief Of one point type: by the base class. */
   void alignAs(PointCloudSource& output, const Matrix4& guess, std::true_type);
 
@@ -241,6 +324,9 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   ResultConstPtr result_;
   std::string error_message_;
   detail::PreparedInput prepared_source_, prepared_target_;
+  detail::HandedIn source_handed_, target_handed_;
+  std::vector<std::int32_t> pairs_;  // of the correspondences
+  bool has_correspondences_ = false;
 
  public:
   PCL_MAKE_ALIGNED_OPERATOR_NEW
