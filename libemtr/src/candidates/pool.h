@@ -22,7 +22,7 @@ class Pool {
  public:
   explicit Pool(const Surfaces& surfaces) : surfaces_(surfaces) {}  ///< which must outlive the pool
 
-  /// The `most` poses with the best quick fit that are no copies of each other, best first.
+  /// The `most` poses with the best quick score that are no copies of each other, best first.
   std::vector<Rigid> shortlist(const std::vector<Rigid>& poses, std::size_t most, Team& team) const;
 
   /// Polishes and scores them, and takes them in.

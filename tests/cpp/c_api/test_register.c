@@ -8,6 +8,7 @@
 
 static emtr_cloud cloud_of(const float* points, size_t count) {
   emtr_cloud cloud;
+  memset(&cloud, 0, sizeof cloud);
   cloud.points = points;
   cloud.count = count;
   cloud.stride = 0;
