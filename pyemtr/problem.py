@@ -31,9 +31,10 @@ class Problem(ProblemViews):
 
     def __init__(self, source: Any, target: Any, *, seed: int = 0, threads: int = 0,
                  preset: str = "default", guess: Any = None, source_viewpoint: Any = None,
-                 target_viewpoint: Any = None, **settings: Value) -> None:
+                 target_viewpoint: Any = None, axis: Any = None,
+                 translation_bounds: Any = None, **settings: Value) -> None:
         chosen = make_settings(seed, threads, preset, guess, settings, source_viewpoint,
-                               target_viewpoint)
+                               target_viewpoint, axis, translation_bounds)
         self.settings: dict[str, Any] = settings_used(chosen)
         self._raw = _emtr.Problem(as_cloud(source, "source"), as_cloud(target, "target"), chosen)
         self._lock = threading.Lock()

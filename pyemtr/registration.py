@@ -13,8 +13,8 @@ from .result import Result, make_result
 
 def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
              preset: str = "default", guess: Any = None, source_viewpoint: Any = None,
-             target_viewpoint: Any = None, callback: Callback | None = None,
-             **settings: Value) -> Result:
+             target_viewpoint: Any = None, axis: Any = None, translation_bounds: Any = None,
+             callback: Callback | None = None, **settings: Value) -> Result:
     """Registers two partially overlapping clouds by EMTR-SSC, from any starting pose.
 
     The same clouds and seed give the same bits, for any number of threads. The GIL is released
@@ -31,11 +31,18 @@ def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
         threads: 0 for as many as OpenMP would use; the result does not depend on it.
         preset: one of :func:`pyemtr.presets`; "paper" is the method as published.
         guess: (4, 4), source into target, in the clouds' unit: tried as one hypothesis, not a
-            place that the search stays near.
+            place that the search stays near, unless the settings ``guess_rotation`` (degrees) or
+            ``guess_translation`` (the clouds' unit, of the source's centroid) say how near.
         source_viewpoint: (3,), where the sensor stood that took the source, in the source's own
             frame and unit. What it saw tells candidates apart: no surface is in front of it.
             None when not known; it is then estimated where it is needed.
         target_viewpoint: (3,), likewise of the target, in the target's frame and unit.
+        axis: (3,), a direction that is the same in both clouds' frames, up for scanners that know
+            where down is: only rotations about it. Settings: ``axis_tilt``,
+            ``axis_angle_minimum``, ``axis_angle_maximum`` (degrees).
+        translation_bounds: (2, 3), least and largest translation of the resulting matrix, in the
+            clouds' unit. These priors and the setting ``maximum_rotation`` (degrees) hold for the
+            transformation and the alternatives, all at once.
         callback: called with a :class:`pyemtr.Progress` before each stage and after each
             iteration. Return True to stop: the result then has the reason "interrupted". What
             it raises stops the run and reaches the caller. Ctrl-C is looked at as often, with
@@ -49,12 +56,13 @@ def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
     Raises:
         TypeError: an argument of a wrong type, an unknown setting.
         ValueError: a wrong shape, a value out of range, a cloud that cannot be registered
-            (fewer than 10 finite points, all on one point or one line).
+            (fewer than 10 finite points, all on one point or one line), priors that contradict
+            each other.
         MemoryError: an allocation failed.
         RuntimeError: a defect of the library.
     """
     chosen = make_settings(seed, threads, preset, guess, settings, source_viewpoint,
-                           target_viewpoint)
+                           target_viewpoint, axis, translation_bounds)
     raw = _emtr.register(as_cloud(source, "source"), as_cloud(target, "target"), chosen,
                          as_raw_callback(callback))
     return make_result(raw, settings_used(chosen))

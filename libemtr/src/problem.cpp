@@ -8,6 +8,7 @@
 #include "features/kdtree_neighbors.h"
 #include "features/resolution.h"
 #include "parallel.h"
+#include "priors/make_prior.h"
 #include "registration.h"
 #include "stopwatch.h"
 
@@ -48,6 +49,7 @@ void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress
   if (stop("frame")) return;
   watch.lap();
   pair = normalised();
+  prior = make_prior(settings, frame);
   dropped_source = pair.prepared_source->dropped;
   dropped_target = pair.prepared_target->dropped;
   points_source = pair.prepared_source->count;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "error.h"
+#include "priors/make_prior.h"
 #include "stopwatch.h"
 #include "verdict/verdict.h"
 
@@ -18,6 +18,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 Registration::Registration(const Problem& problem, const OnProgress& on_progress)
     : problem_(problem),
       settings_(problem.settings),
+      prior_(problem.prior.get()),
       on_progress_(on_progress),
       result_(std::make_unique<Result>()),
       stopped_(problem.stopped()) {}
@@ -111,11 +112,8 @@ void Registration::describe_problem() {
 
 std::vector<Rigid> Registration::guess() const {
   if (!settings_.has_guess) return {};
-  const Rigid pose = problem_.frame.to_normalised(from_matrix(settings_.guess));
-  if (!is_near(pose.t, 3))
-    throw Error(EMTR_ERROR_SETTING,
-                "setting 'guess' moves the source a million radii past the target");
-  return {pose};
+  const Rigid pose = normalised_guess(settings_, problem_.frame);
+  return {prior_ ? prior_->project(pose) : pose};
 }
 
 std::vector<Rigid> Registration::starts() const {
@@ -131,16 +129,18 @@ std::vector<Rigid> Registration::starts() const {
 Evolution Registration::evolve() {
   if (problem_.surfaces) {
     search_ = std::make_unique<CandidateSearch>(problem_.pair, *problem_.surfaces, settings_,
-                                                problem_.kernels);
+                                                problem_.kernels, prior_);
     shortlist_ = search_->shortlist(problem_.seeds);
   } else {
     for (const Seed& seed : problem_.seeds) shortlist_.push_back(seed.pose);
+    shortlist_ = admissible(shortlist_, prior_);
   }
   Evolution out = emtr::evolve(
       *problem_.alpha, *problem_.beta, *problem_.complement, settings_, starts(),
       [&](int done, double alpha, double beta) {
         return on_progress_ && on_progress_({"evolution", done, settings_.iterations, alpha, beta});
-      });
+      },
+      prior_);
   result_->lookups_evaluation = out.lookups_evaluation;
   result_->lookups_switch = out.lookups_switch;
   result_->lookups_complement = out.lookups_complement;
@@ -168,7 +168,7 @@ bool Registration::unsure() const {
 }
 
 void Registration::refine() {
-  refined_ = emtr::refine(problem_.pair, answer_, settings_, problem_.kernels);
+  refined_ = emtr::refine(problem_.pair, answer_, settings_, problem_.kernels, prior_);
   answer_ = refined_.pose;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "error.h"
+#include "priors/make_prior.h"
 #include "rigid.h"
 #include "settings_table.h"
 
@@ -130,6 +131,7 @@ void validate(const Settings& settings) {
           "setting 'viewpoint_source' is not finite: expected a sensor position x, y, z");
   require(!settings.has_viewpoint_target || finite(settings.viewpoint_target),
           "setting 'viewpoint_target' is not finite: expected a sensor position x, y, z");
+  validate_priors(settings);
 }
 
 int thread_count(const Settings& settings) {

@@ -58,9 +58,10 @@ EMTR_API const char* emtr_kernel_name(void);
 
 /* ---- settings ----------------------------------------------------------------------- */
 
-/* Each field has the name that the shell and Python use. Lengths are never in the user's
- * unit: they are multiples of a leaf, of the resolution, or of the normalised frame, in
- * which both clouds are centred and the larger one has radius 1.
+/* Each field has the name that the shell and Python use. But for what is known beforehand, at
+ * the end, lengths are never in the user's unit: they are multiples of a leaf, of the
+ * resolution, or of the normalised frame, in which both clouds are centred and the larger one
+ * has radius 1.
  * emtr_setting_describe() gives unit, range, default and meaning of each. */
 typedef struct emtr_settings {
   size_t size;     /* sizeof(emtr_settings), set by emtr_settings_init() */
@@ -144,7 +145,8 @@ typedef struct emtr_settings {
   double minimum_confidence;
 
   /* a pose to try as one hypothesis among the particles (not a starting point that the
-   * search stays near); row-major, source into target, the user's unit */
+   * search stays near, unless guess_rotation or guess_translation say so); row-major, source into
+   * target, the user's unit. Where a prior does not admit it, the nearest pose that it admits */
   int32_t has_guess;
   double guess[16];
 
@@ -154,6 +156,25 @@ typedef struct emtr_settings {
   double viewpoint_source[3];
   int32_t has_viewpoint_target;
   double viewpoint_target[3];
+
+  /* priors: what is known of the pose. All that are given hold at once, for every pose that is
+   * looked at, and up to rounding for the transformation and the alternatives of the result. A
+   * set of priors that admits no pose is an EMTR_ERROR_SETTING that names them. Lengths here are
+   * in the user's unit. */
+  double guess_rotation;    /* degrees that the rotation may be from the guess's; 180: any */
+  double guess_translation; /* user's unit: how far the source's centroid may end from where the
+                               guess puts it; 1e12: anywhere */
+  int32_t has_axis;         /* 1: only rotations about the axis */
+  double axis[3];           /* its direction, the same in both clouds' frames, of any length > 0:
+                               up, say, for scanners that know where down is */
+  double axis_tilt;         /* degrees that the rotated axis may lean from itself */
+  double
+      axis_angle_minimum; /* degrees about the axis, by the right hand; of a rotation that also */
+  double axis_angle_maximum; /* tilts it, of the part that does not. -180 to 180: any */
+  int32_t has_translation_bounds;
+  double translation_minimum[3]; /* of the translation of the result's matrix, user's unit: where */
+  double translation_maximum[3]; /* the origin of the source's frame ends; finite */
+  double maximum_rotation;       /* degrees of the whole rotation; 180: any */
 } emtr_settings;
 
 /* Fills *settings with a preset: "default" (also for a null pointer), "fast", "thorough" or
@@ -183,7 +204,7 @@ typedef struct emtr_setting_info {
   const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
 } emtr_setting_info;
 
-/* The settings that have a name (all but size, has_guess and guess), in a fixed order. */
+/* The settings that have a name (all but size, the vectors and their has_...), in a fixed order. */
 EMTR_API size_t emtr_setting_count(void);
 EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info);
 

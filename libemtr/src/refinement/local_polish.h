@@ -6,6 +6,7 @@
 
 #include "../kernels/kernels.h"
 #include "../neighbors/neighbors.h"
+#include "../priors/prior.h"
 #include "../rigid.h"
 #include "normal_equations.h"
 #include "plane_to_plane.h"
@@ -79,7 +80,10 @@ class LocalPolish {
   /// Safe to call from several threads at once, each with its own scratch. `threads` share the
   /// work of this one call, which gives the same bits for any number. Throws Error when the start
   /// is not a finite rigid pose.
-  Polished operator()(const Rigid& start, Scratch& scratch, int threads = 1) const;
+  /// With a prior, of which the start is a pose, each step is the best one within it, and the end
+  /// an optimum among its poses.
+  Polished operator()(const Rigid& start, Scratch& scratch, int threads = 1,
+                      const Prior* prior = nullptr) const;
 
  private:
   struct Side {

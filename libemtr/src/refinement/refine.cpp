@@ -38,7 +38,7 @@ FineSurfaces fine_surfaces(const NormalisedPair& pair, double leaf) {
 }  // namespace
 
 Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& settings,
-               const Kernels& kernels) {
+               const Kernels& kernels, const Prior* prior) {
   const FineSurfaces fine = fine_surfaces(pair, settings.refine_leaf);
   const Surface &source = fine.source, &target = fine.target;
   const double leaf = source.leaf;
@@ -50,7 +50,7 @@ Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& s
   const auto near_source = near(source), near_target = near(target);
   const LocalPolish polished(source, target, near_source.get(), near_target.get(), polish, kernels);
   LocalPolish::Scratch scratch;
-  const Polished p = polished(start, scratch, thread_count(settings));
+  const Polished p = polished(start, scratch, thread_count(settings), prior);
 
   Refined out;
   out.pose = start;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../frame/frame.h"
+#include "../priors/prior.h"
 #include "../settings.h"
 #include "spectrum.h"
 
@@ -15,7 +16,8 @@ struct Refined {
   Spectrum spectrum;
 };
 
+/// `prior`: what the pose keeps to, as the start does, or null.
 Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& settings,
-               const Kernels& kernels);
+               const Kernels& kernels, const Prior* prior = nullptr);
 
 }  // namespace emtr
