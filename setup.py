@@ -29,25 +29,41 @@ class CMakeBuild(build_ext):
     def build_extension(self, ext: Extension) -> None:
         cmake = shutil.which("cmake")
         if cmake is None:
-            raise SystemExit("pyemtr: cmake (3.18 or later) is needed to build the extension "
-                             "and was not found. On Debian: apt-get install cmake ninja-build "
-                             "g++ libpcl-dev")
+            raise SystemExit(
+                "pyemtr: cmake (3.18 or later) is needed to build the extension "
+                "and was not found. On Debian: apt-get install cmake ninja-build "
+                "g++ libpcl-dev"
+            )
         module = Path(self.get_ext_fullpath(ext.name)).resolve()
         build = Path(self.build_temp).resolve() / "cmake"
         configure = [
-            cmake, "-S", str(ROOT), "-B", str(build), "-DCMAKE_BUILD_TYPE=Release",
-            "-DEMTR_BUILD_PYTHON=ON", "-DEMTR_BUILD_PCL=OFF", "-DEMTR_BUILD_TOOLS=OFF",
-            "-DEMTR_BUILD_TESTS=OFF", f"-DEMTR_PYTHON_DIR={module.parent}",
-            f"-DPython3_EXECUTABLE={sys.executable}"]
+            cmake,
+            "-S",
+            str(ROOT),
+            "-B",
+            str(build),
+            "-DCMAKE_BUILD_TYPE=Release",
+            "-DEMTR_BUILD_PYTHON=ON",
+            "-DEMTR_BUILD_PCL=OFF",
+            "-DEMTR_BUILD_TOOLS=OFF",
+            "-DEMTR_BUILD_TESTS=OFF",
+            f"-DEMTR_PYTHON_DIR={module.parent}",
+            f"-DPython3_EXECUTABLE={sys.executable}",
+        ]
         if shutil.which("ninja") and "CMAKE_GENERATOR" not in os.environ:
             configure += ["-G", "Ninja"]
         configure += shlex.split(os.environ.get("CMAKE_ARGS", ""))
-        self._run(configure, "cmake could not configure the build. It needs a C++17 compiler, "
-                  "ninja or make, and PCL 1.12 or later with its headers (Debian: apt-get "
-                  "install ninja-build g++ libpcl-dev); its own words are above")
+        self._run(
+            configure,
+            "cmake could not configure the build. It needs a C++17 compiler, "
+            "ninja or make, and PCL 1.12 or later with its headers (Debian: apt-get "
+            "install ninja-build g++ libpcl-dev); its own words are above",
+        )
         jobs = str(self.parallel or os.cpu_count() or 1)
-        self._run([cmake, "--build", str(build), "--target", "_emtr", "--parallel", jobs],
-                  "the extension module could not be compiled; the compiler's words are above")
+        self._run(
+            [cmake, "--build", str(build), "--target", "_emtr", "--parallel", jobs],
+            "the extension module could not be compiled; the compiler's words are above",
+        )
         if not module.is_file():
             raise SystemExit(f"pyemtr: the build has left no {module}")
 
@@ -57,5 +73,8 @@ class CMakeBuild(build_ext):
             raise SystemExit(f"pyemtr: {failure}")
 
 
-setup(version=project_version(), ext_modules=[Extension("pyemtr._emtr", sources=[])],
-      cmdclass={"build_ext": CMakeBuild})
+setup(
+    version=project_version(),
+    ext_modules=[Extension("pyemtr._emtr", sources=[])],
+    cmdclass={"build_ext": CMakeBuild},
+)

@@ -20,5 +20,18 @@ from .tasks import TaskAlpha, TaskBeta
 
 __version__: str = _emtr.version()
 
-__all__ = ["Alternative", "Cloud", "Problem", "Progress", "Result", "Setting", "TaskAlpha",
-           "TaskBeta", "kernel_name", "presets", "register", "settings", "__version__"]
+__all__ = [
+    "Alternative",
+    "Cloud",
+    "Problem",
+    "Progress",
+    "Result",
+    "Setting",
+    "TaskAlpha",
+    "TaskBeta",
+    "__version__",
+    "kernel_name",
+    "presets",
+    "register",
+    "settings",
+]

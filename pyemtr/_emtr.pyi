@@ -1,16 +1,15 @@
 from typing import Any, Callable, final
 
-from numpy.typing import NDArray
 import numpy as np
+from numpy.typing import NDArray
+from typing_extensions import TypeAlias
 
-_Callback = Callable[..., Any] | None
+_Callback: TypeAlias = Callable[..., Any] | None
 
 def version() -> str: ...
 def kernel_name() -> str: ...
 def preset_names() -> list[str]: ...
-def describe_settings() -> list[
-    tuple[str, str, str, float, float, float, str, str, str]
-]: ...
+def describe_settings() -> list[tuple[str, str, str, float, float, float, str, str, str]]: ...
 
 @final
 class Settings:
@@ -44,7 +43,7 @@ class Prepared:
     def __init__(self, array: NDArray[Any], name: str, threads: int) -> None: ...
     def describe(self) -> dict[str, Any]: ...
 
-_Cloud = NDArray[Any] | Prepared
+_Cloud: TypeAlias = NDArray[Any] | Prepared
 
 def register(
     source: _Cloud, target: _Cloud, settings: Settings, callback: _Callback

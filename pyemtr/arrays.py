@@ -71,8 +71,10 @@ def _real_array(values: Any, name: str) -> NDArray[Any]:
     except ValueError as error:
         raise ValueError(f"{name}: expected an array of numbers: {error}") from error
     if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: expected an array of real numbers, got dtype {array.dtype}"
-                        f" ({type(values).__name__})")
+        raise TypeError(
+            f"{name}: expected an array of real numbers, got dtype {array.dtype}"
+            f" ({type(values).__name__})"
+        )
     if isinstance(values, np.ma.MaskedArray):
         return np.where(np.ma.getmaskarray(values), np.nan, array)
     return array
@@ -81,7 +83,8 @@ def _real_array(values: Any, name: str) -> NDArray[Any]:
 def _shaped(values: Any, name: str, shape: tuple[int | None, ...]) -> Floats:
     array = np.ascontiguousarray(_real_array(values, name), dtype=np.float64)
     fits = array.ndim == len(shape) and all(
-        wanted is None or wanted == got for wanted, got in zip(shape, array.shape))
+        wanted is None or wanted == got for wanted, got in zip(shape, array.shape)
+    )
     if not fits:
         wanted = ", ".join("P" if n is None else str(n) for n in shape)
         comma = "," if len(shape) == 1 else ""

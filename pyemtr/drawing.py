@@ -28,8 +28,9 @@ def shaded(colors: Floats, normals: Floats, camera: Camera) -> Floats:
     return np.asarray(np.clip(colors * (1.18 * light)[:, None] + gloss, 0, 1))
 
 
-def draw_points(ax: Axes, points: Floats, colors: Floats, camera: Camera, gap: float,
-                unit: str) -> None:
+def draw_points(
+    ax: Axes, points: Floats, colors: Floats, camera: Camera, gap: float, unit: str
+) -> None:
     """Fills ``ax`` with points (N, 3) in colours (N, 3), the nearest on top, equal scales.
 
     ``gap``, the usual distance between neighbours, decides how large the points are drawn.
@@ -42,15 +43,26 @@ def draw_points(ax: Axes, points: Floats, colors: Floats, camera: Camera, gap: f
     scale = float(np.min(room / np.maximum(1.06 * (high - low), 1e-12 + 1e-9 * abs(high))))
     center, half = (low + high) / 2, inches / scale / 2
     center[1] += _CAPTION * half[1]
-    ax.set(xlim=(center[0] - half[0], center[0] + half[0]),
-           ylim=(center[1] - half[1], center[1] + half[1]), xticks=[], yticks=[])
+    ax.set(
+        xlim=(center[0] - half[0], center[0] + half[0]),
+        ylim=(center[1] - half[1], center[1] + half[1]),
+        xticks=[],
+        yticks=[],
+    )
     for spine in ax.spines.values():
         spine.set_color("#d5d5d5")
 
     order = np.argsort(seen[:, 2], kind="stable")
     diameter = min(max(1.5 * gap * scale * 72, 0.9), 6.0)  # in points, of 1/72 inch
-    ax.scatter(seen[order, 0], seen[order, 1], s=diameter**2, c=colors[order], marker="o",
-               linewidths=0, rasterized=True)
+    ax.scatter(
+        seen[order, 0],
+        seen[order, 1],
+        s=diameter**2,
+        c=colors[order],
+        marker="o",
+        linewidths=0,
+        rasterized=True,
+    )
     _scale_bar(ax, float(inches[0]) / scale, unit)
 
 
@@ -59,7 +71,20 @@ def _scale_bar(ax: Axes, width: float, unit: str) -> None:
     wanted = 0.2 * width
     power = 10.0 ** math.floor(math.log10(wanted))
     length = max(step * power for step in (1, 2, 5) if step * power <= wanted)
-    ax.plot([0.03, 0.03 + length / width], [0.035, 0.035], transform=ax.transAxes, color=INK,
-            linewidth=2, solid_capstyle="butt")
-    ax.text(0.03, 0.05, f"{length:g} {unit}".strip(), transform=ax.transAxes, color=INK,
-            fontsize=9, va="bottom")
+    ax.plot(
+        [0.03, 0.03 + length / width],
+        [0.035, 0.035],
+        transform=ax.transAxes,
+        color=INK,
+        linewidth=2,
+        solid_capstyle="butt",
+    )
+    ax.text(
+        0.03,
+        0.05,
+        f"{length:g} {unit}".strip(),
+        transform=ax.transAxes,
+        color=INK,
+        fontsize=9,
+        va="bottom",
+    )

@@ -5,8 +5,9 @@ from __future__ import annotations
 import difflib
 import numbers
 import operator
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Mapping, Union
+from typing import Any, Union
 
 import numpy as np
 
@@ -42,8 +43,9 @@ def settings() -> dict[str, Setting]:
     found = {}
     for name, kind, unit, low, high, value, part, text, choices in _emtr.describe_settings():
         names = tuple(word.strip() for word in choices.split(",")) if choices else ()
-        found[name] = Setting(name, kind, unit, low, high, _plain(kind, value, names), part,
-                              text, names)
+        found[name] = Setting(
+            name, kind, unit, low, high, _plain(kind, value, names), part, text, names
+        )
     return found
 
 
@@ -52,9 +54,17 @@ def presets() -> list[str]:
     return _emtr.preset_names()
 
 
-def make_settings(seed: int, threads: int, preset: str, guess: Any, changes: Mapping[str, Value],
-                  source_viewpoint: Any = None, target_viewpoint: Any = None, axis: Any = None,
-                  translation_bounds: Any = None) -> _emtr.Settings:
+def make_settings(
+    seed: int,
+    threads: int,
+    preset: str,
+    guess: Any,
+    changes: Mapping[str, Value],
+    source_viewpoint: Any = None,
+    target_viewpoint: Any = None,
+    axis: Any = None,
+    translation_bounds: Any = None,
+) -> _emtr.Settings:
     """A preset with the changes made; what is None stays unknown.
 
     Raises:
@@ -92,7 +102,7 @@ def settings_used(chosen: _emtr.Settings) -> dict[str, Any]:
         used[name] = _plain(setting.type, chosen.get(name), setting.choices)
     used["seed"] = chosen.seed  # exact, where a double is not
     guess = chosen.guess
-    used["guess"] = None if guess is None else [guess[i:i + 4] for i in range(0, 16, 4)]
+    used["guess"] = None if guess is None else [guess[i : i + 4] for i in range(0, 16, 4)]
     used["source_viewpoint"] = chosen.viewpoint_source
     used["target_viewpoint"] = chosen.viewpoint_target
     used["axis"] = chosen.axis
@@ -116,8 +126,9 @@ def _number(setting: Setting, value: Any) -> float:
         return float(value)
     if setting.type == "choice" and isinstance(value, str):
         if value not in setting.choices:
-            raise ValueError(f"{setting.name}: expected one of {', '.join(setting.choices)},"
-                             f" got {value!r}")
+            raise ValueError(
+                f"{setting.name}: expected one of {', '.join(setting.choices)}, got {value!r}"
+            )
         return float(setting.choices.index(value))
     if setting.type != "real":
         return float(_whole(setting.name, value))
@@ -145,8 +156,14 @@ def _seed(value: Any) -> int:
     return whole
 
 
-_OWN = ["preset", "guess", "source_viewpoint", "target_viewpoint", "axis",
-        "translation_bounds"]  # that the table leaves out
+_OWN = [
+    "preset",
+    "guess",
+    "source_viewpoint",
+    "target_viewpoint",
+    "axis",
+    "translation_bounds",
+]  # that the table leaves out
 
 
 def _unknown(name: str, known: list[str]) -> str:

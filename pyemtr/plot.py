@@ -8,8 +8,9 @@ from __future__ import annotations
 import io
 import os
 import secrets
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -97,11 +98,17 @@ def plot_alignment(
 
     figure = _new_figure(path is None, dpi)
     (first, second), (third, fourth) = _panels(figure)
-    colors = np.concatenate([np.broadcast_to(SOURCE_COLOR, after.shape),
-                             np.broadcast_to(TARGET_COLOR, fixed.shape)])
+    colors = np.concatenate(
+        [np.broadcast_to(SOURCE_COLOR, after.shape), np.broadcast_to(TARGET_COLOR, fixed.shape)]
+    )
     for ax, name, points, normals, eye in (
-        (first, "before, as in the files", np.concatenate([before, fixed]),
-         np.concatenate([normals_before, normals_fixed]), front),
+        (
+            first,
+            "before, as in the files",
+            np.concatenate([before, fixed]),
+            np.concatenate([normals_before, normals_fixed]),
+            front,
+        ),
         (second, "after", *both, front),
         (third, f"after, from further {side}", *both, aside),
     ):
@@ -116,8 +123,9 @@ def plot_alignment(
     return figure
 
 
-def _error_map(ax: Axes, points: Floats, normals: Floats, target: Floats, camera: Camera,
-               unit: str) -> None:
+def _error_map(
+    ax: Axes, points: Floats, normals: Floats, target: Floats, camera: Camera, unit: str
+) -> None:
     from matplotlib import colormaps
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
@@ -138,25 +146,51 @@ def _error_map(ax: Axes, points: Floats, normals: Floats, target: Floats, camera
     if near.any():
         rms = float(np.sqrt(np.mean(distances[near] ** 2)))
         text += f", rms {rms:.3g} {unit}".rstrip()
-    ax.text(0.03, 0.915, f"{text}; grey: beyond", transform=ax.transAxes, fontsize=10, color=INK,
-            va="top")
+    ax.text(
+        0.03,
+        0.915,
+        f"{text}; grey: beyond",
+        transform=ax.transAxes,
+        fontsize=10,
+        color=INK,
+        va="top",
+    )
 
 
 def _panels(figure: Figure) -> list[list[Axes]]:
     width, height = 0.475, 0.465
-    return [[figure.add_axes((left, bottom, width, height)) for left in (0.015, 0.51)]
-            for bottom in (0.485, 0.01)]
+    return [
+        [figure.add_axes((left, bottom, width, height)) for left in (0.015, 0.51)]
+        for bottom in (0.485, 0.01)
+    ]
 
 
 def _caption(ax: Axes, text: str) -> None:
-    ax.text(0.03, 0.965, text, transform=ax.transAxes, fontsize=12, fontweight="bold", color=INK,
-            va="top")
+    ax.text(
+        0.03,
+        0.965,
+        text,
+        transform=ax.transAxes,
+        fontsize=12,
+        fontweight="bold",
+        color=INK,
+        va="top",
+    )
 
 
 def _legend(ax: Axes) -> None:
     for row, (name, color) in enumerate((("source", SOURCE_COLOR), ("target", TARGET_COLOR))):
-        ax.text(0.97, 0.965 - 0.05 * row, name, transform=ax.transAxes, fontsize=12,
-                fontweight="bold", color=tuple(color), ha="right", va="top")
+        ax.text(
+            0.97,
+            0.965 - 0.05 * row,
+            name,
+            transform=ax.transAxes,
+            fontsize=12,
+            fontweight="bold",
+            color=tuple(color),
+            ha="right",
+            va="top",
+        )
 
 
 def _finite(cloud: Any, name: str) -> Floats:
@@ -179,8 +213,10 @@ def _require_libraries() -> None:
         import matplotlib  # noqa: F401
         import scipy.spatial  # noqa: F401
     except ImportError as error:
-        raise ImportError(f"plots need matplotlib and scipy, and {error.name} is not installed: "
-                          "pip install 'pyemtr[plot]'") from error
+        raise ImportError(
+            f"plots need matplotlib and scipy, and {error.name} is not installed: "
+            "pip install 'pyemtr[plot]'"
+        ) from error
 
 
 def _new_figure(interactive: bool, dpi: int) -> Figure:

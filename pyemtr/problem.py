@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,12 +30,32 @@ class Problem(ProblemViews):
     Args and errors are those of :func:`pyemtr.register`.
     """
 
-    def __init__(self, source: Any, target: Any, *, seed: int = 0, threads: int = 0,
-                 preset: str = "default", guess: Any = None, source_viewpoint: Any = None,
-                 target_viewpoint: Any = None, axis: Any = None,
-                 translation_bounds: Any = None, **settings: Value) -> None:
-        chosen = make_settings(seed, threads, preset, guess, settings, source_viewpoint,
-                               target_viewpoint, axis, translation_bounds)
+    def __init__(
+        self,
+        source: Any,
+        target: Any,
+        *,
+        seed: int = 0,
+        threads: int = 0,
+        preset: str = "default",
+        guess: Any = None,
+        source_viewpoint: Any = None,
+        target_viewpoint: Any = None,
+        axis: Any = None,
+        translation_bounds: Any = None,
+        **settings: Value,
+    ) -> None:
+        chosen = make_settings(
+            seed,
+            threads,
+            preset,
+            guess,
+            settings,
+            source_viewpoint,
+            target_viewpoint,
+            axis,
+            translation_bounds,
+        )
         self.settings: dict[str, Any] = settings_used(chosen)
         self._raw = _emtr.Problem(as_cloud(source, "source"), as_cloud(target, "target"), chosen)
         self._lock = threading.Lock()

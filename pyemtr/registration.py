@@ -11,10 +11,21 @@ from .progress import Callback, as_raw_callback
 from .result import Result, make_result
 
 
-def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
-             preset: str = "default", guess: Any = None, source_viewpoint: Any = None,
-             target_viewpoint: Any = None, axis: Any = None, translation_bounds: Any = None,
-             callback: Callback | None = None, **settings: Value) -> Result:
+def register(
+    source: Any,
+    target: Any,
+    *,
+    seed: int = 0,
+    threads: int = 0,
+    preset: str = "default",
+    guess: Any = None,
+    source_viewpoint: Any = None,
+    target_viewpoint: Any = None,
+    axis: Any = None,
+    translation_bounds: Any = None,
+    callback: Callback | None = None,
+    **settings: Value,
+) -> Result:
     """Registers two partially overlapping clouds by EMTR-SSC, from any starting pose.
 
     The same clouds and seed give the same bits, for any number of threads. The GIL is released
@@ -61,8 +72,18 @@ def register(source: Any, target: Any, *, seed: int = 0, threads: int = 0,
         MemoryError: an allocation failed.
         RuntimeError: a defect of the library.
     """
-    chosen = make_settings(seed, threads, preset, guess, settings, source_viewpoint,
-                           target_viewpoint, axis, translation_bounds)
-    raw = _emtr.register(as_cloud(source, "source"), as_cloud(target, "target"), chosen,
-                         as_raw_callback(callback))
+    chosen = make_settings(
+        seed,
+        threads,
+        preset,
+        guess,
+        settings,
+        source_viewpoint,
+        target_viewpoint,
+        axis,
+        translation_bounds,
+    )
+    raw = _emtr.register(
+        as_cloud(source, "source"), as_cloud(target, "target"), chosen, as_raw_callback(callback)
+    )
     return make_result(raw, settings_used(chosen))

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -127,8 +128,7 @@ class Result:
 
     def __repr__(self) -> str:
         verdict = "registered" if self.registered else f"not registered ({self.reason_text})"
-        rows = np.array2string(self.transformation, precision=6, suppress_small=True,
-                               prefix="    ")
+        rows = np.array2string(self.transformation, precision=6, suppress_small=True, prefix="    ")
         return (
             f"<pyemtr.Result: {verdict}{self._confidence_text()}\n"
             f"  fitness {self.fitness:.4f}, mode gap {self.mode_gap:.4f},"
@@ -137,7 +137,8 @@ class Result:
             f" {self.inlier_ratio_target:.1%} of the target\n"
             f"  transformation, source into target:\n    {rows}\n"
             f"  {self.iterations} iterations, seed {self.seed}, {self.threads} threads,"
-            f" {self.kernel}, {self.timings['total']:.3f} s>")
+            f" {self.kernel}, {self.timings['total']:.3f} s>"
+        )
 
     def _confidence_text(self) -> str:
         if math.isnan(self.confidence):
@@ -151,8 +152,9 @@ def make_result(raw: Mapping[str, Any], settings: dict[str, Any]) -> Result:
     values["transformation"] = _matrix(raw["transformation"], 4)
     values["center_source"] = _vector(raw["center_source"])
     values["center_target"] = _vector(raw["center_target"])
-    values["alternatives"] = [Alternative(_matrix(pose, 4), score)
-                              for pose, score in raw["alternatives"]]
+    values["alternatives"] = [
+        Alternative(_matrix(pose, 4), score) for pose, score in raw["alternatives"]
+    ]
     values["information"] = _matrix(raw["information"], 6)
     values["hold"] = _vector(raw["hold"])
     values["hold_directions"] = _matrix(raw["hold_directions"], 6)

@@ -23,8 +23,9 @@ class TaskAlpha:
         **settings: of a new Problem (all of :func:`pyemtr.register` but callback).
     """
 
-    def __init__(self, source_or_problem: Any, target: Any = None, stage: str = "dense",
-                 **settings: Value) -> None:
+    def __init__(
+        self, source_or_problem: Any, target: Any = None, stage: str = "dense", **settings: Value
+    ) -> None:
         if stage not in ("sparse", "dense"):
             raise ValueError(f'stage: expected "sparse" or "dense", got {stage!r}')
         self.problem: Problem = _problem_of(source_or_problem, target, settings)

@@ -16,7 +16,6 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-
 from virtual_scan.files import write_pcd, write_transformation
 from virtual_scan.overlap import overlap, resolution
 from virtual_scan.scanner import Scan, scan, viewpoint
@@ -56,7 +55,8 @@ def rigid(rotation: Array, translation: Array) -> Array:
 
 def random_rotation(rng: np.random.Generator) -> Array:
     """A rotation (3, 3), uniform over SO(3), from a random unit quaternion."""
-    w, x, y, z = (lambda q: q / np.linalg.norm(q))(rng.normal(size=4))
+    q = rng.normal(size=4)
+    w, x, y, z = q / np.linalg.norm(q)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.asarray(np.eye(3) + 2 * w * cross + 2 * cross @ cross)
 
@@ -91,10 +91,20 @@ def main() -> int:
     add = parser.add_argument
     add("--out", type=Path, required=True, metavar="DIR", help="folder, made if need be")
     add("--seed", type=int, default=5, metavar="N", help="of noise and frames, >= 0 [%(default)s]")
-    add("--points", type=int, default=40000, metavar="N",
-        help="of each scan, about; 1000 to 1000000 [%(default)s]")
-    add("--noise", type=float, default=0.1, metavar="MM",
-        help="standard deviation along the rays, 0 to 5 mm [%(default)s]")
+    add(
+        "--points",
+        type=int,
+        default=40000,
+        metavar="N",
+        help="of each scan, about; 1000 to 1000000 [%(default)s]",
+    )
+    add(
+        "--noise",
+        type=float,
+        default=0.1,
+        metavar="MM",
+        help="standard deviation along the rays, 0 to 5 mm [%(default)s]",
+    )
     options = parser.parse_args()
     if options.seed < 0:
         parser.error(f"--seed: expected 0 or more, got {options.seed}")

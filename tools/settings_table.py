@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Prints the README's table of settings from the library's own, or writes it into the README.
 
-    settings_table.py            print the table
-    settings_table.py --write    replace what stands between the README's two markers
+settings_table.py            print the table
+settings_table.py --write    replace what stands between the README's two markers
 """
 
 import argparse
@@ -37,16 +37,22 @@ def span(setting: pyemtr.Setting) -> str:
 
 
 def table() -> str:
-    presets = {name: settings_used(make_settings(0, 0, name, None, {}))
-               for name in pyemtr.presets()}
+    presets = {
+        name: settings_used(make_settings(0, 0, name, None, {})) for name in pyemtr.presets()
+    }
     names = " | ".join(f"`{name}`" for name in presets)
-    lines = [f"| name | {names} | unit | range | part | meaning |", "|---" * (5 + len(presets)) + "|"]
+    lines = [
+        f"| name | {names} | unit | range | part | meaning |",
+        "|---" * (5 + len(presets)) + "|",
+    ]
     for s in pyemtr.settings().values():
         standard = shown(s, s.default)
         values = [shown(s, used[s.name]) for used in presets.values()]
         # What a preset leaves as it is stays blank, so that its own values stand out.
         cells = [values[0], *("" if v == standard else v for v in values[1:])]
-        lines.append("| " + " | ".join((f"`{s.name}`", *cells, s.unit, span(s), s.part, s.text)) + " |")
+        lines.append(
+            "| " + " | ".join((f"`{s.name}`", *cells, s.unit, span(s), s.part, s.text)) + " |"
+        )
     return "\n".join(lines)
 
 
@@ -56,8 +62,9 @@ def replaced(text: str) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--write", action="store_true", help="write the table into README.md")
     if not parser.parse_args().write:
         print(table())

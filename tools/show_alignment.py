@@ -14,7 +14,6 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-
 from virtual_scan.files import read_pcd
 
 Array = NDArray[np.float64]

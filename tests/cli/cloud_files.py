@@ -8,8 +8,16 @@ from pathlib import Path
 import numpy as np
 
 PCD_TYPES = {"f": "F", "i": "I", "u": "U"}
-PLY_TYPES = {"f4": "float", "f8": "double", "u1": "uchar", "u2": "ushort", "i4": "int",
-             "i1": "char", "u4": "uint", "i2": "short"}
+PLY_TYPES = {
+    "f4": "float",
+    "f8": "double",
+    "u1": "uchar",
+    "u2": "ushort",
+    "i4": "int",
+    "i1": "char",
+    "u4": "uint",
+    "i2": "short",
+}
 PLY_FORMATS = {"ascii": "ascii", "binary": "binary_little_endian", "big": "binary_big_endian"}
 
 
@@ -28,26 +36,40 @@ def as_table(points: np.ndarray) -> np.ndarray:
     return points if points.dtype.names else table(points)
 
 
-def pcd_header(rows: np.ndarray, data: str, width: int | None = None, height: int = 1,
-               viewpoint: str = "0 0 0 1 0 0 0") -> str:
+def pcd_header(
+    rows: np.ndarray,
+    data: str,
+    width: int | None = None,
+    height: int = 1,
+    viewpoint: str = "0 0 0 1 0 0 0",
+) -> str:
     kinds = [rows.dtype[name] for name in rows.dtype.names]
     count = len(rows) if width is None else width * height
-    return "\n".join([
-        "# .PCD v0.7 - Point Cloud Data file format", "VERSION 0.7",
-        "FIELDS " + " ".join(rows.dtype.names),
-        "SIZE " + " ".join(str(kind.base.itemsize) for kind in kinds),
-        "TYPE " + " ".join(PCD_TYPES[kind.base.kind] for kind in kinds),
-        "COUNT " + " ".join(str(int(np.prod(kind.shape, dtype=int))) for kind in kinds),
-        f"WIDTH {len(rows) if width is None else width}", f"HEIGHT {height}",
-        f"VIEWPOINT {viewpoint}", f"POINTS {count}", f"DATA {data}", ""])
+    return "\n".join(
+        [
+            "# .PCD v0.7 - Point Cloud Data file format",
+            "VERSION 0.7",
+            "FIELDS " + " ".join(rows.dtype.names),
+            "SIZE " + " ".join(str(kind.base.itemsize) for kind in kinds),
+            "TYPE " + " ".join(PCD_TYPES[kind.base.kind] for kind in kinds),
+            "COUNT " + " ".join(str(int(np.prod(kind.shape, dtype=int))) for kind in kinds),
+            f"WIDTH {len(rows) if width is None else width}",
+            f"HEIGHT {height}",
+            f"VIEWPOINT {viewpoint}",
+            f"POINTS {count}",
+            f"DATA {data}",
+            "",
+        ]
+    )
 
 
 def text_rows(rows: np.ndarray) -> str:
     lines = []
     for row in rows:
         values = [value for item in row for value in np.atleast_1d(item)]
-        lines.append(" ".join(repr(v.item()) if isinstance(v, np.generic) else repr(v)
-                              for v in values))
+        lines.append(
+            " ".join(repr(v.item()) if isinstance(v, np.generic) else repr(v) for v in values)
+        )
     return "\n".join(lines) + "\n"
 
 
@@ -66,16 +88,20 @@ def write_pcd(path: Path, points: np.ndarray, data: str = "binary", **header) ->
 
 def lzf_literals(data: bytes) -> bytes:
     """A valid LZF stream that compresses nothing: runs of at most 32 literal bytes."""
-    return b"".join(bytes([len(run) - 1]) + run
-                    for run in (data[i:i + 32] for i in range(0, len(data), 32)))
+    return b"".join(
+        bytes([len(run) - 1]) + run for run in (data[i : i + 32] for i in range(0, len(data), 32))
+    )
 
 
 def write_ply(path: Path, points: np.ndarray, data: str = "binary", faces: bool = False) -> Path:
     rows = as_table(points)
-    lines = ["ply", f"format {PLY_FORMATS[data]} 1.0", "comment written by a test",
-             f"element vertex {len(rows)}"]
-    lines += [f"property {PLY_TYPES[rows.dtype[name].str[1:]]} {name}"
-              for name in rows.dtype.names]
+    lines = [
+        "ply",
+        f"format {PLY_FORMATS[data]} 1.0",
+        "comment written by a test",
+        f"element vertex {len(rows)}",
+    ]
+    lines += [f"property {PLY_TYPES[rows.dtype[name].str[1:]]} {name}" for name in rows.dtype.names]
     if faces:
         lines += ["element face 1", "property list uchar int vertex_indices"]
     header = "\n".join([*lines, "end_header", ""]).encode()
@@ -104,13 +130,18 @@ def read_pcd(path: Path) -> tuple[np.ndarray, dict[str, list[str]]]:
     """Rows and header of a binary PCD file."""
     raw = path.read_bytes()
     end = raw.index(b"\n", raw.index(b"\nDATA ") + 1) + 1
-    header = {words[0]: words[1:] for words in
-              (line.split() for line in raw[:end].decode().splitlines() if line[0] != "#")}
+    header = {
+        words[0]: words[1:]
+        for words in (line.split() for line in raw[:end].decode().splitlines() if line[0] != "#")
+    }
     assert header["DATA"] == ["binary"]
     kinds = {"F": "f", "I": "i", "U": "u"}
-    layout = [(name, f"<{kinds[kind]}{size}", (int(count),) if count != "1" else ())
-              for name, size, kind, count in zip(header["FIELDS"], header["SIZE"],
-                                                 header["TYPE"], header["COUNT"], strict=True)]
+    layout = [
+        (name, f"<{kinds[kind]}{size}", (int(count),) if count != "1" else ())
+        for name, size, kind, count in zip(
+            header["FIELDS"], header["SIZE"], header["TYPE"], header["COUNT"], strict=True
+        )
+    ]
     rows = np.frombuffer(raw[end:], layout)
     assert len(rows) == int(header["POINTS"][0])
     return rows, header
@@ -131,8 +162,12 @@ def read_ply(path: Path) -> tuple[np.ndarray, np.ndarray]:
             layouts[list(layouts)[-1]].append((words[2], types[words[1]]))
     assert next(iter(layouts)) == "vertex" and counts.get("face", 0) == 0
     vertices = np.frombuffer(raw, layouts["vertex"], counts["vertex"], end)
-    camera = np.frombuffer(raw, layouts.get("camera", [("none", "<f4")]), counts.get("camera", 0),
-                           end + vertices.nbytes)
+    camera = np.frombuffer(
+        raw,
+        layouts.get("camera", [("none", "<f4")]),
+        counts.get("camera", 0),
+        end + vertices.nbytes,
+    )
     assert end + vertices.nbytes + camera.nbytes == len(raw)
     return vertices, camera
 

@@ -29,8 +29,15 @@ def run(command, tmp_path):
 
     def call(*arguments, **options) -> subprocess.CompletedProcess[str]:
         options.setdefault("stdout", subprocess.PIPE)
-        return subprocess.run([str(command), *map(str, arguments)], cwd=tmp_path, text=True,
-                              stderr=subprocess.PIPE, timeout=300, check=False, **options)
+        return subprocess.run(
+            [str(command), *map(str, arguments)],
+            cwd=tmp_path,
+            text=True,
+            stderr=subprocess.PIPE,
+            timeout=300,
+            check=False,
+            **options,
+        )
 
     return call
 
@@ -59,8 +66,12 @@ def surface(count: int, seed: int) -> np.ndarray:
     rng = np.random.default_rng(seed)
     u = rng.uniform(-1, 1, (count, 2))
     x, y = u.T
-    z = (0.35 * np.sin(3 * x + 1) * np.cos(2.5 * y) + 0.25 * np.exp(-8 * ((x - 0.4) ** 2 + y**2))
-         - 0.3 * np.exp(-12 * ((x + 0.5) ** 2 + (y - 0.3) ** 2)) + 0.2 * x * x * y)
+    z = (
+        0.35 * np.sin(3 * x + 1) * np.cos(2.5 * y)
+        + 0.25 * np.exp(-8 * ((x - 0.4) ** 2 + y**2))
+        - 0.3 * np.exp(-12 * ((x + 0.5) ** 2 + (y - 0.3) ** 2))
+        + 0.2 * x * x * y
+    )
     return np.column_stack([x, y, z])
 
 
@@ -86,8 +97,10 @@ class Pair:
         """Degrees, and how far the centre of the source ends from where it should."""
         turned = np.linalg.norm(found[:3, :3] - self.T[:3, :3]) / (2 * np.sqrt(2))
         center = np.append(self.source.mean(axis=0), 1)
-        return (float(np.degrees(2 * np.arcsin(min(1.0, turned)))),
-                float(np.linalg.norm((found @ center - self.T @ center)[:3])))
+        return (
+            float(np.degrees(2 * np.arcsin(min(1.0, turned)))),
+            float(np.linalg.norm((found @ center - self.T @ center)[:3])),
+        )
 
 
 @pytest.fixture(scope="session")

@@ -17,12 +17,16 @@ CURVATURE = RNG.normal(size=(COUNT, 3)).astype("f4")
 
 
 def fields(**others) -> dict[str, np.ndarray]:
-    return {"normal_x": NORMALS[:, 0], "normal_y": NORMALS[:, 1], "normal_z": NORMALS[:, 2],
-            "rgb": RNG.integers(0, 2**24, COUNT, dtype="u4"),
-            "intensity": RNG.uniform(size=COUNT).astype("f4"),
-            "ring": RNG.integers(0, 64, COUNT, dtype="u2"),
-            "label": RNG.integers(-9, 9, COUNT, dtype="i4"),
-            "time": 1.6e9 + RNG.uniform(size=COUNT)} | others
+    return {
+        "normal_x": NORMALS[:, 0],
+        "normal_y": NORMALS[:, 1],
+        "normal_z": NORMALS[:, 2],
+        "rgb": RNG.integers(0, 2**24, COUNT, dtype="u4"),
+        "intensity": RNG.uniform(size=COUNT).astype("f4"),
+        "ring": RNG.integers(0, 64, COUNT, dtype="u2"),
+        "label": RNG.integers(-9, 9, COUNT, dtype="i4"),
+        "time": 1.6e9 + RNG.uniform(size=COUNT),
+    } | others
 
 
 @pytest.fixture
@@ -47,10 +51,19 @@ def moved(T: np.ndarray, points: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("data", ["ascii", "binary", "binary_compressed"])
 @pytest.mark.parametrize("dtype", ["f4", "f8"])
 def test_pcd_to_pcd(aligned, tmp_path, data, dtype):
-    rows = table(POINTS, dtype, **fields(
-        principal_curvature_x=CURVATURE[:, 0], principal_curvature_y=CURVATURE[:, 1],
-        principal_curvature_z=CURVATURE[:, 2], vp_x=CURVATURE[:, 0], vp_y=CURVATURE[:, 1],
-        vp_z=CURVATURE[:, 2], fpfh=RNG.uniform(size=(COUNT, 33)).astype("f4")))
+    rows = table(
+        POINTS,
+        dtype,
+        **fields(
+            principal_curvature_x=CURVATURE[:, 0],
+            principal_curvature_y=CURVATURE[:, 1],
+            principal_curvature_z=CURVATURE[:, 2],
+            vp_x=CURVATURE[:, 0],
+            vp_y=CURVATURE[:, 1],
+            vp_z=CURVATURE[:, 2],
+            fpfh=RNG.uniform(size=(COUNT, 33)).astype("f4"),
+        ),
+    )
     cloud_files.write_pcd(tmp_path / "a.pcd", rows, data=data)
     path, T = aligned("a.pcd", ".pcd")
     found, _ = read_pcd(path)
@@ -58,10 +71,13 @@ def test_pcd_to_pcd(aligned, tmp_path, data, dtype):
     tolerance = 2e-6 if dtype == "f4" else 1e-14
     assert np.allclose(xyz(found), moved(T, xyz(rows)), rtol=0, atol=tolerance * 10)
     for names, expected in [
-            ("normal_x normal_y normal_z", NORMALS @ T[:3, :3].T),
-            ("principal_curvature_x principal_curvature_y principal_curvature_z",
-             CURVATURE @ T[:3, :3].T),
-            ("vp_x vp_y vp_z", moved(T, CURVATURE))]:
+        ("normal_x normal_y normal_z", NORMALS @ T[:3, :3].T),
+        (
+            "principal_curvature_x principal_curvature_y principal_curvature_z",
+            CURVATURE @ T[:3, :3].T,
+        ),
+        ("vp_x vp_y vp_z", moved(T, CURVATURE)),
+    ]:
         assert np.allclose(xyz(found, names), expected, atol=1e-5)
         assert not np.allclose(xyz(found, names), xyz(rows, names), atol=1e-2)
     for name in ("rgb", "intensity", "ring", "label", "time", "fpfh"):
@@ -86,10 +102,20 @@ def test_pcd_to_ply(aligned, tmp_path):
 @pytest.mark.parametrize("alpha", [False, True])
 @pytest.mark.parametrize("data", ["ascii", "binary", "big"])
 def test_ply_source(aligned, tmp_path, extension, alpha, data):
-    color = {name: RNG.integers(0, 256, COUNT, dtype="u1")
-             for name in ("red", "green", "blue", "alpha")[:4 if alpha else 3]}
-    rows = table(POINTS, "f8", nx=NORMALS[:, 0], ny=NORMALS[:, 1], nz=NORMALS[:, 2], **color,
-                 quality=CURVATURE[:, 0], ring=RNG.integers(0, 64, COUNT, dtype="u2"))
+    color = {
+        name: RNG.integers(0, 256, COUNT, dtype="u1")
+        for name in ("red", "green", "blue", "alpha")[: 4 if alpha else 3]
+    }
+    rows = table(
+        POINTS,
+        "f8",
+        nx=NORMALS[:, 0],
+        ny=NORMALS[:, 1],
+        nz=NORMALS[:, 2],
+        **color,
+        quality=CURVATURE[:, 0],
+        ring=RNG.integers(0, 64, COUNT, dtype="u2"),
+    )
     cloud_files.write_ply(tmp_path / "a.ply", rows, data=data, faces=True)
     path, T = aligned("a.ply", extension)
     if extension == ".ply":
@@ -127,8 +153,9 @@ def test_obj_normals_that_are_not_one_for_each_vertex(run, tmp_path):
 
 
 def test_normals_by_their_short_name_in_pcd(aligned, tmp_path):
-    cloud_files.write_pcd(tmp_path / "a.pcd", table(
-        POINTS, nx=NORMALS[:, 0], ny=NORMALS[:, 1], nz=NORMALS[:, 2]))
+    cloud_files.write_pcd(
+        tmp_path / "a.pcd", table(POINTS, nx=NORMALS[:, 0], ny=NORMALS[:, 1], nz=NORMALS[:, 2])
+    )
     path, T = aligned("a.pcd", ".pcd")
     rows, _ = read_pcd(path)
     assert np.allclose(xyz(rows, "nx ny nz"), NORMALS @ T[:3, :3].T, atol=1e-5)
@@ -137,8 +164,9 @@ def test_normals_by_their_short_name_in_pcd(aligned, tmp_path):
 def test_points_without_a_place_stay_where_they_are_in_the_list(aligned, tmp_path):
     holes = POINTS.copy()
     holes[[0, 30]] = np.nan
-    cloud_files.write_pcd(tmp_path / "a.pcd", table(holes, tag=np.arange(COUNT, dtype="u4")),
-                          width=20, height=12)
+    cloud_files.write_pcd(
+        tmp_path / "a.pcd", table(holes, tag=np.arange(COUNT, dtype="u4")), width=20, height=12
+    )
     path, T = aligned("a.pcd", ".pcd")
     rows, header = read_pcd(path)
     assert np.isnan(xyz(rows)[[0, 30]]).all()
@@ -152,8 +180,9 @@ def test_points_without_a_place_stay_where_they_are_in_the_list(aligned, tmp_pat
 
 def quaternion(R: np.ndarray) -> np.ndarray:
     w = np.sqrt(1 + np.trace(R)) / 2
-    return np.array([w, (R[2, 1] - R[1, 2]) / 4 / w, (R[0, 2] - R[2, 0]) / 4 / w,
-                     (R[1, 0] - R[0, 1]) / 4 / w])
+    return np.array(
+        [w, (R[2, 1] - R[1, 2]) / 4 / w, (R[0, 2] - R[2, 0]) / 4 / w, (R[1, 0] - R[0, 1]) / 4 / w]
+    )
 
 
 def test_sensor_pose_moves_along(aligned, tmp_path):
@@ -179,8 +208,9 @@ def test_sensor_pose_moves_along(aligned, tmp_path):
     path.rename(tmp_path / "again.ply")
     path, second = aligned("again.ply", ".pcd")
     _, header = read_pcd(path)
-    assert np.allclose(np.array(header["VIEWPOINT"][:3], float), moved(second, expected),
-                       rtol=4e-7, atol=0.1)
+    assert np.allclose(
+        np.array(header["VIEWPOINT"][:3], float), moved(second, expected), rtol=4e-7, atol=0.1
+    )
 
 
 @pytest.mark.parametrize("viewpoint", [None, "0 0 0"])
@@ -212,8 +242,10 @@ def test_padding_of_pcd(aligned, tmp_path):
 
 def test_ply_has_no_room_for_some_fields(refused, tmp_path):
     cloud_files.write_pcd(tmp_path / "b.pcd", POINTS)
-    for name, values in (("stamp", np.arange(COUNT, dtype="u8")),
-                         ("fpfh", np.zeros((COUNT, 33), "f4"))):
+    for name, values in (
+        ("stamp", np.arange(COUNT, dtype="u8")),
+        ("fpfh", np.zeros((COUNT, 33), "f4")),
+    ):
         cloud_files.write_pcd(tmp_path / "a.pcd", table(POINTS, **{name: values}))
         message = refused(2, "a.pcd", "b.pcd", "--aligned", "m.ply")
         assert f"field '{name}'" in message and "write a .pcd" in message

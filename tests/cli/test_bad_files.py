@@ -30,8 +30,9 @@ def bad(refused, tmp_path):
 
 
 def content(tmp_path, extension: str, **options) -> bytes:
-    return cloud_files.WRITERS[extension](tmp_path / f"whole{extension}", POINTS,
-                                          **options).read_bytes()
+    return cloud_files.WRITERS[extension](
+        tmp_path / f"whole{extension}", POINTS, **options
+    ).read_bytes()
 
 
 def test_missing_empty_directory_extension(bad, tmp_path):
@@ -52,9 +53,17 @@ def test_unreadable(bad, tmp_path):
     bad("locked.pcd", "Permission denied")
 
 
-@pytest.mark.parametrize(("name", "source"), [
-    ("ply.pcd", ".ply"), ("obj.pcd", ".obj"), ("pcd.ply", ".pcd"), ("obj.ply", ".obj"),
-    ("pcd.obj", ".pcd"), ("ply.obj", ".ply")])
+@pytest.mark.parametrize(
+    ("name", "source"),
+    [
+        ("ply.pcd", ".ply"),
+        ("obj.pcd", ".obj"),
+        ("pcd.ply", ".pcd"),
+        ("obj.ply", ".obj"),
+        ("pcd.obj", ".pcd"),
+        ("ply.obj", ".ply"),
+    ],
+)
 def test_extension_that_lies(bad, tmp_path, name, source):
     bad(name, "not a PCD file|not a PLY file|holds no points", content(tmp_path, source))
 
@@ -64,13 +73,21 @@ def test_bytes_without_meaning(bad):
         bad(name, "not a|holds no points|unknown line", bytes(range(256)) * 20)
 
 
-@pytest.mark.parametrize(("extension", "data"), [
-    (".pcd", "ascii"), (".pcd", "binary"), (".pcd", "binary_compressed"), (".ply", "ascii"),
-    (".ply", "binary"), (".ply", "big")])
+@pytest.mark.parametrize(
+    ("extension", "data"),
+    [
+        (".pcd", "ascii"),
+        (".pcd", "binary"),
+        (".pcd", "binary_compressed"),
+        (".ply", "ascii"),
+        (".ply", "binary"),
+        (".ply", "big"),
+    ],
+)
 @pytest.mark.parametrize("share", [0.05, 0.5, 0.8, 0.99])
 def test_truncated(bad, tmp_path, extension, data, share):
     whole = content(tmp_path, extension, data=data)
-    bad(f"cut{extension}", "truncated|has no|not a", whole[:int(share * len(whole))])
+    bad(f"cut{extension}", "truncated|has no|not a", whole[: int(share * len(whole))])
 
 
 @pytest.mark.parametrize("data", ["ascii", "binary"])
@@ -92,9 +109,12 @@ def test_huge_count_is_refused_before_memory_is_asked_for(bad, tmp_path, count, 
 def test_compressed_part_that_does_not_fit_its_header(bad, tmp_path):
     whole = content(tmp_path, ".pcd", data="binary_compressed")
     at = whole.index(b"DATA binary_compressed\n") + 23
-    bad("size.pcd", "unpacks to 479 bytes, its header declares 480",
-        whole[:at + 4] + (479).to_bytes(4, "little") + whole[at + 8:])
-    bad("noise.pcd", "cannot be read", whole[:at + 8] + b"\xff" * (len(whole) - at - 8))
+    bad(
+        "size.pcd",
+        "unpacks to 479 bytes, its header declares 480",
+        whole[: at + 4] + (479).to_bytes(4, "little") + whole[at + 8 :],
+    )
+    bad("noise.pcd", "cannot be read", whole[: at + 8] + b"\xff" * (len(whole) - at - 8))
 
 
 @pytest.mark.parametrize("extension", [".pcd", ".ply"])
@@ -103,58 +123,85 @@ def test_text_that_is_no_number(bad, tmp_path, extension):
     word = whole.split()[-1]
     bad(f"word{extension}", "40 of 40: 'abc' is not a number", whole.replace(word, "abc").encode())
     bad(f"comma{extension}", "is not a number", whole.replace("0.", "0,").encode())
-    bad(f"short{extension}", "40 of 40 has 2 values, expected 3",
-        whole.replace(" " + word, "").encode())
+    bad(
+        f"short{extension}",
+        "40 of 40 has 2 values, expected 3",
+        whole.replace(" " + word, "").encode(),
+    )
     bad(f"more{extension}", "holds more than the 40", (whole + "1 2 3\n").encode())
 
 
 def test_obj_that_is_none(bad, tmp_path):
     whole = content(tmp_path, ".obj").decode()
-    bad("word.obj", "line 3: 'abc' is not a number",
-        whole.replace(whole.splitlines()[2], "v 1 abc 2").encode())
-    bad("short.obj", "line 3 has 2 coordinates",
-        whole.replace(whole.splitlines()[2], "v 1 2").encode())
+    bad(
+        "word.obj",
+        "line 3: 'abc' is not a number",
+        whole.replace(whole.splitlines()[2], "v 1 abc 2").encode(),
+    )
+    bad(
+        "short.obj",
+        "line 3 has 2 coordinates",
+        whole.replace(whole.splitlines()[2], "v 1 2").encode(),
+    )
     bad("tab.obj", "line 2: expected 'v'", whole.replace("v ", "v\t").encode())
     bad("faces.obj", "holds no points", b"f 1 2 3\n")
 
 
 def test_no_points(bad):
     bad("none.pcd", "holds no points", cloud_files.pcd_header(ROWS[:0], "ascii").encode())
-    bad("none.ply", "holds no points",
-        b"ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n")
-    bad("faces.ply", "holds no points",
+    bad(
+        "none.ply",
+        "holds no points",
+        b"ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n",
+    )
+    bad(
+        "faces.ply",
+        "holds no points",
         b"ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
-        b"end_header\n3 0 1 2\n")
+        b"end_header\n3 0 1 2\n",
+    )
 
 
-@pytest.mark.parametrize(("old", "new", "pattern"), [
-    ("FIELDS x", "FIELDS a", "has no field 'x', only a, y, z"),
-    ("FIELDS x y z", "FIELDS x y", "2 FIELDS, but 3 SIZE"),
-    ("TYPE F F F", "TYPE U F F", "x, y and z to be all float or all double"),
-    ("TYPE F", "TYPE Q", "field 'x' type Q of size 4"),
-    ("SIZE 4", "SIZE 3", "field 'x' type F of size 3"),
-    ("SIZE 4 4 4\n", "", "no SIZE"),
-    ("COUNT 1", "COUNT 0", "field 'x' COUNT 0"),
-    ("WIDTH 40", "WIDTH -40", "WIDTH '-40'"),
-    ("POINTS 40", "POINTS 41", "POINTS 41, but WIDTH x HEIGHT is 40"),
-    ("0 0 0 1 0 0 0", "0 0 0 1", "VIEWPOINT"),
-    ("DATA binary", "DATA zipped", "DATA 'zipped', expected ascii, binary or binary_compressed"),
-    ("WIDTH", "BREADTH", "unknown line 'BREADTH'")])
+@pytest.mark.parametrize(
+    ("old", "new", "pattern"),
+    [
+        ("FIELDS x", "FIELDS a", "has no field 'x', only a, y, z"),
+        ("FIELDS x y z", "FIELDS x y", "2 FIELDS, but 3 SIZE"),
+        ("TYPE F F F", "TYPE U F F", "x, y and z to be all float or all double"),
+        ("TYPE F", "TYPE Q", "field 'x' type Q of size 4"),
+        ("SIZE 4", "SIZE 3", "field 'x' type F of size 3"),
+        ("SIZE 4 4 4\n", "", "no SIZE"),
+        ("COUNT 1", "COUNT 0", "field 'x' COUNT 0"),
+        ("WIDTH 40", "WIDTH -40", "WIDTH '-40'"),
+        ("POINTS 40", "POINTS 41", "POINTS 41, but WIDTH x HEIGHT is 40"),
+        ("0 0 0 1 0 0 0", "0 0 0 1", "VIEWPOINT"),
+        (
+            "DATA binary",
+            "DATA zipped",
+            "DATA 'zipped', expected ascii, binary or binary_compressed",
+        ),
+        ("WIDTH", "BREADTH", "unknown line 'BREADTH'"),
+    ],
+)
 def test_pcd_headers(bad, old, new, pattern):
     header = cloud_files.pcd_header(ROWS, "binary")
     assert old in header
     bad("header.pcd", pattern, header.replace(old, new).encode() + ROWS.tobytes())
 
 
-@pytest.mark.parametrize(("old", "new", "pattern"), [
-    ("property float x", "property float a", "has no field 'x', only a, y, z"),
-    ("property float x", "property int x", "x, y and z to be all float or all double"),
-    ("property float x", "property real x", "unknown type 'real'"),
-    ("property float z", "property list uchar float z", "list 'z', expected single values"),
-    ("binary_little_endian 1.0", "binary 1.0", "unknown format"),
-    ("vertex 40", "vertex forty", "element without a name and a count"),
-    ("comment", "remark", "unknown line 'remark'"),
-    ("end_header", "", "no line 'end_header'|unknown line")])
+@pytest.mark.parametrize(
+    ("old", "new", "pattern"),
+    [
+        ("property float x", "property float a", "has no field 'x', only a, y, z"),
+        ("property float x", "property int x", "x, y and z to be all float or all double"),
+        ("property float x", "property real x", "unknown type 'real'"),
+        ("property float z", "property list uchar float z", "list 'z', expected single values"),
+        ("binary_little_endian 1.0", "binary 1.0", "unknown format"),
+        ("vertex 40", "vertex forty", "element without a name and a count"),
+        ("comment", "remark", "unknown line 'remark'"),
+        ("end_header", "", "no line 'end_header'|unknown line"),
+    ],
+)
 def test_ply_headers(bad, tmp_path, old, new, pattern):
     whole = content(tmp_path, ".ply")
     assert old.encode() in whole
@@ -172,9 +219,11 @@ def test_clouds_that_cannot_be_registered(bad, tmp_path):
     line = np.linspace(0, 1, 40)[:, None] * [[1.0, 2.0, 3.0]]
     gaps = np.full((40, 3), np.nan)
     gaps[:9] = POINTS[:9]
-    for name, points, pattern in [("few.pcd", POINTS[:9], "9 finite points of 9, expected"),
-                                  ("gaps.pcd", gaps, "9 finite points of 40"),
-                                  ("equal.pcd", np.full((40, 3), 2.5), "all points are equal"),
-                                  ("line.pcd", line, "on one line")]:
+    for name, points, pattern in [
+        ("few.pcd", POINTS[:9], "9 finite points of 9, expected"),
+        ("gaps.pcd", gaps, "9 finite points of 40"),
+        ("equal.pcd", np.full((40, 3), 2.5), "all points are equal"),
+        ("line.pcd", line, "on one line"),
+    ]:
         cloud_files.write_pcd(tmp_path / name, points)
         bad(name, pattern)

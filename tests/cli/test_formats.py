@@ -16,12 +16,21 @@ def reference(run, tmp_path) -> str:
     return run("reference.pcd", "reference.pcd", *QUICK).stdout
 
 
-@pytest.mark.parametrize(("extension", "options"), [
-    (".pcd", {"data": "ascii"}), (".pcd", {"data": "binary"}),
-    (".pcd", {"data": "binary_compressed"}), (".ply", {"data": "ascii"}),
-    (".ply", {"data": "binary"}), (".ply", {"data": "big"}),
-    (".ply", {"data": "ascii", "faces": True}), (".ply", {"data": "binary", "faces": True}),
-    (".obj", {}), (".obj", {"normals": POINTS})])
+@pytest.mark.parametrize(
+    ("extension", "options"),
+    [
+        (".pcd", {"data": "ascii"}),
+        (".pcd", {"data": "binary"}),
+        (".pcd", {"data": "binary_compressed"}),
+        (".ply", {"data": "ascii"}),
+        (".ply", {"data": "binary"}),
+        (".ply", {"data": "big"}),
+        (".ply", {"data": "ascii", "faces": True}),
+        (".ply", {"data": "binary", "faces": True}),
+        (".obj", {}),
+        (".obj", {"normals": POINTS}),
+    ],
+)
 def test_same_cloud_in_every_format(run, tmp_path, reference, extension, options):
     path = cloud_files.WRITERS[extension](tmp_path / f"cloud{extension}", POINTS, **options)
     done = run(path, path, *QUICK)
@@ -63,8 +72,9 @@ def test_coordinates_need_not_lie_side_by_side(run, tmp_path, reference, layout)
 
 
 def test_points_without_a_place_are_dropped_and_counted(run, tmp_path, reference):
-    holes = np.insert(POINTS, [0, 20, 240], [[np.nan, 0, 0], [0, np.inf, 0], [0, 0, -np.inf]],
-                      axis=0)
+    holes = np.insert(
+        POINTS, [0, 20, 240], [[np.nan, 0, 0], [0, np.inf, 0], [0, 0, -np.inf]], axis=0
+    )
     cloud_files.write_pcd(tmp_path / "holes.pcd", holes)
     done = run("holes.pcd", "holes.pcd", *QUICK)
     assert done.stdout == reference
@@ -87,10 +97,18 @@ def test_windows_line_ends(run, tmp_path, reference):
 
 def write_range_grid(path, points, grid: list[int | None], info: str) -> None:
     """A range scan as the Stanford scanner wrote it: a grid of vertices, some places empty."""
-    lines = ["ply", "format ascii 1.0", *info.splitlines(), f"element vertex {len(points)}",
-             "property float x", "property float y", "property float z",
-             f"element range_grid {len(grid)}", "property list uchar int vertex_indices",
-             "end_header"]
+    lines = [
+        "ply",
+        "format ascii 1.0",
+        *info.splitlines(),
+        f"element vertex {len(points)}",
+        "property float x",
+        "property float y",
+        "property float z",
+        f"element range_grid {len(grid)}",
+        "property list uchar int vertex_indices",
+        "end_header",
+    ]
     lines += [f"{x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
     lines += ["0" if place is None else f"1 {place}" for place in grid]
     path.write_text("\n".join(lines) + "\n")
@@ -98,8 +116,9 @@ def write_range_grid(path, points, grid: list[int | None], info: str) -> None:
 
 def test_range_grid(run, refused, tmp_path, reference):
     grid = [place for i in range(len(POINTS)) for place in ((i, None) if i % 4 == 0 else (i,))]
-    write_range_grid(tmp_path / "grid.ply", POINTS, grid,
-                     "obj_info num_cols 30\nobj_info num_rows 10")
+    write_range_grid(
+        tmp_path / "grid.ply", POINTS, grid, "obj_info num_cols 30\nobj_info num_rows 10"
+    )
     done = run("grid.ply", "grid.ply", *QUICK)
     assert done.stdout == reference
     assert "240 finite points, 60 dropped" in done.stderr

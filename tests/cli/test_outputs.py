@@ -34,9 +34,15 @@ def test_matrix_has_all_digits(run, small, tmp_path):
 
 def test_talk_tells_points_times_and_verdict(run, small):
     done = run(*small, *QUICK)
-    for text in ("> Loading a.pcd [done, ", " ms : 240 points]", "> Registering [done, ",
-                 "source 240 finite points, 0 dropped", "evolution ", "> Verdict ",
-                 "> T (source into target, q = R p + t)"):
+    for text in (
+        "> Loading a.pcd [done, ",
+        " ms : 240 points]",
+        "> Registering [done, ",
+        "source 240 finite points, 0 dropped",
+        "evolution ",
+        "> Verdict ",
+        "> T (source into target, q = R p + t)",
+    ):
         assert text in done.stderr
     assert "\033" not in done.stderr and "\r" not in done.stderr
 
@@ -49,9 +55,15 @@ def test_quiet_leaves_warnings_only(run, small):
 
 
 @pytest.mark.parametrize("option", ["-o", "--aligned", "--report"])
-@pytest.mark.parametrize(("place", "pattern"), [
-    ("nowhere/x{}", "No such file or directory"), ("folder{}", "is a directory"),
-    ("pipe{}", "not a regular file"), ("a.pcd/x{}", "Not a directory")])
+@pytest.mark.parametrize(
+    ("place", "pattern"),
+    [
+        ("nowhere/x{}", "No such file or directory"),
+        ("folder{}", "is a directory"),
+        ("pipe{}", "not a regular file"),
+        ("a.pcd/x{}", "Not a directory"),
+    ],
+)
 def test_unwritable_place(refused, small, tmp_path, option, place, pattern):
     path = place.format(".ply" if option == "--aligned" else ".txt")
     if path.startswith("folder"):
@@ -77,7 +89,8 @@ def test_write_protected(refused, small, tmp_path):
 
 def test_aligned_of_unknown_extension(refused, small):
     assert "'m.txt': unknown extension '.txt', --aligned expects .pcd or .ply" in refused(
-        2, *small, "--aligned", "m.txt")
+        2, *small, "--aligned", "m.txt"
+    )
 
 
 def test_full_disk_leaves_nothing(refused, small, tmp_path):
@@ -97,9 +110,21 @@ def test_full_disk_leaves_nothing(refused, small, tmp_path):
 
 
 def refused_after_work(small, tmp_path, refused, name, limit) -> str:
-    return refused(2, *small, *QUICK, "--quiet", "--minimum-mode-gap", "0",
-                   "--maximum-fitness", "1", "-o", "T.txt", "--aligned", name,
-                   preexec_fn=limit)
+    return refused(
+        2,
+        *small,
+        *QUICK,
+        "--quiet",
+        "--minimum-mode-gap",
+        "0",
+        "--maximum-fitness",
+        "1",
+        "-o",
+        "T.txt",
+        "--aligned",
+        name,
+        preexec_fn=limit,
+    )
 
 
 def test_full_standard_output(run, small, tmp_path):
@@ -111,8 +136,14 @@ def test_full_standard_output(run, small, tmp_path):
 
 
 def test_closed_standard_output_is_found_before_the_work(command, small, tmp_path):
-    done = subprocess.run(["sh", "-c", f'"{command}" a.pcd b.pcd --iterations 1000000 >&-'],
-                          cwd=tmp_path, capture_output=True, text=True, timeout=30, check=False)
+    done = subprocess.run(
+        ["sh", "-c", f'"{command}" a.pcd b.pcd --iterations 1000000 >&-'],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=30,
+        check=False,
+    )
     assert done.returncode == 2
     assert "standard output is closed" in done.stderr
 
@@ -137,13 +168,25 @@ def test_new_files_have_usual_rights(run, small, tmp_path):
 def test_all_outputs_and_nothing_else(run, small, tmp_path):
     run(*small, *QUICK, "-o", "T.txt", "--aligned", "m.PLY", "--report", "r.json")
     assert sorted(path.name for path in tmp_path.iterdir()) == [
-        "T.txt", "a.pcd", "b.pcd", "m.PLY", "r.json"]
+        "T.txt",
+        "a.pcd",
+        "b.pcd",
+        "m.PLY",
+        "r.json",
+    ]
 
 
-@pytest.mark.parametrize(("text", "pattern"), [
-    ("", "4 lines of 4 numbers"), ("1 2 3\n", "4 lines of 4 numbers"),
-    (GUESS + "0 0 0 1\n", "4 lines of 4 numbers"), (GUESS.replace("1", "one"), "'one' is not"),
-    (GUESS.replace("1", "nan"), "'nan' is not a finite"), (GUESS.replace("1", "2"), "not a rigid")])
+@pytest.mark.parametrize(
+    ("text", "pattern"),
+    [
+        ("", "4 lines of 4 numbers"),
+        ("1 2 3\n", "4 lines of 4 numbers"),
+        (GUESS + "0 0 0 1\n", "4 lines of 4 numbers"),
+        (GUESS.replace("1", "one"), "'one' is not"),
+        (GUESS.replace("1", "nan"), "'nan' is not a finite"),
+        (GUESS.replace("1", "2"), "not a rigid"),
+    ],
+)
 def test_bad_guess(refused, small, tmp_path, text, pattern):
     (tmp_path / "g.txt").write_text(text)
     message = refused(2, *small, "--guess", "g.txt")

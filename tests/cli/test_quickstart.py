@@ -22,8 +22,15 @@ echo "$(basename "$0") $*" >>"{log}"
 
 def bash(script: str, cwd: Path, **variables: str) -> subprocess.CompletedProcess[str]:
     environment = os.environ | variables
-    return subprocess.run(["bash", "-c", "set -euo pipefail\n" + script], cwd=cwd, text=True,
-                          capture_output=True, env=environment, timeout=120)
+    return subprocess.run(
+        ["bash", "-c", "set -euo pipefail\n" + script],
+        cwd=cwd,
+        text=True,
+        capture_output=True,
+        env=environment,
+        timeout=120,
+        check=False,
+    )
 
 
 def program(path: Path, text: str) -> None:
@@ -51,7 +58,7 @@ def checkout(tmp_path: Path) -> Path:
 def apt(tmp_path: Path) -> tuple[Path, Path]:
     """A folder with a pretended package system, which has g++ only, and its log."""
     folder, log = tmp_path / "bin", tmp_path / "apt.log"
-    program(folder / "dpkg-query", '#!/bin/bash\n[[ ${!#} == g++ ]] && printf installed\n')
+    program(folder / "dpkg-query", "#!/bin/bash\n[[ ${!#} == g++ ]] && printf installed\n")
     for name in ("apt-get", "sudo"):
         run_it = '[[ $(basename "$0") != sudo || $1 == -v ]] || "$@"\n'
         program(folder / name, RECORD.format(log=log) + run_it)
@@ -71,7 +78,9 @@ def test_help_from_anywhere_and_through_a_symlink(
     link.symlink_to(checkout / "tools" / command)
     for path in (checkout / "tools" / command, link):
         for option in ("-h", "--help"):
-            done = subprocess.run([path, option], cwd="/", capture_output=True, text=True)
+            done = subprocess.run(
+                [path, option], cwd="/", capture_output=True, text=True, check=False
+            )
             assert done.returncode == 0, done.stderr
             assert done.stdout.startswith(f"Usage: tools/{command}")
             assert "--no-packages" in done.stdout and not done.stderr
@@ -79,10 +88,10 @@ def test_help_from_anywhere_and_through_a_symlink(
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_an_unknown_option_is_refused_before_anything_is_done(
-    command: str, checkout: Path
-) -> None:
-    done = subprocess.run([checkout / "tools" / command, "--quick"], capture_output=True, text=True)
+def test_an_unknown_option_is_refused_before_anything_is_done(command: str, checkout: Path) -> None:
+    done = subprocess.run(
+        [checkout / "tools" / command, "--quick"], capture_output=True, text=True, check=False
+    )
     assert done.returncode == 1
     assert f"{command}: error: unknown option: --quick" in done.stderr
     assert not (checkout / "build").exists()
@@ -91,8 +100,13 @@ def test_an_unknown_option_is_refused_before_anything_is_done(
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_failed_build_ends_the_command(command: str, checkout: Path) -> None:
     (checkout / "CMakeLists.txt").write_text('message(FATAL_ERROR "PCL is too old")\n')
-    done = subprocess.run([checkout / "tools" / command, "--no-packages"], cwd="/",
-                          capture_output=True, text=True)
+    done = subprocess.run(
+        [checkout / "tools" / command, "--no-packages"],
+        cwd="/",
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 1
     assert "Configuring the build" in done.stdout and "FAILED" in done.stdout
     assert str(checkout / "build" / f"{command}.log") in done.stderr
@@ -101,8 +115,15 @@ def test_a_failed_build_ends_the_command(command: str, checkout: Path) -> None:
 
 
 def test_ci_runs_the_check() -> None:
-    done = subprocess.run(["bash", ".ci/run", "--help"], cwd=ROOT, capture_output=True, text=True,
-                          stdin=subprocess.DEVNULL, env=os.environ | {"CI": "true"})
+    done = subprocess.run(
+        ["bash", ".ci/run", "--help"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        env=os.environ | {"CI": "true"},
+        check=False,
+    )
     assert done.returncode == 0
     assert done.stdout.startswith("Usage: tools/check")
 
@@ -189,14 +210,23 @@ def test_a_missing_interpreter_is_named(checkout: Path) -> None:
 @pytest.fixture(scope="module")
 def sample(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("sample")
-    subprocess.run([sys.executable, TOOLS / "sample_pair.py", "--out", folder, "--points", "4000"],
-                   check=True, timeout=120)
+    subprocess.run(
+        [sys.executable, TOOLS / "sample_pair.py", "--out", folder, "--points", "4000"],
+        check=True,
+        timeout=120,
+    )
     return folder
 
 
 def show(folder: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, TOOLS / "show_alignment.py", folder, "--title", "Test"],
-                          capture_output=True, text=True, timeout=120, cwd=folder)
+    return subprocess.run(
+        [sys.executable, TOOLS / "show_alignment.py", folder, "--title", "Test"],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        cwd=folder,
+        check=False,
+    )
 
 
 def test_a_right_pose_is_shown_beside_the_true_one(sample: Path) -> None:

@@ -13,9 +13,14 @@ def outcome(run, tmp_path, *arguments) -> dict:
     assert done.returncode in (0, 3), done.stderr
     report = json.loads((tmp_path / "r.json").read_text())
     settings = report["settings"]
-    return {"printed": done.stdout, "paths": (settings["neighbors"], settings["features"]),
-            **{name: report[name] for name in
-               ("transformation", "history", "lookups", "quality", "confidence", "counts")}}
+    return {
+        "printed": done.stdout,
+        "paths": (settings["neighbors"], settings["features"]),
+        **{
+            name: report[name]
+            for name in ("transformation", "history", "lookups", "quality", "confidence", "counts")
+        },
+    }
 
 
 def test_the_same_bits_by_every_path_of_the_paper(run, clouds, tmp_path):
@@ -23,8 +28,10 @@ def test_the_same_bits_by_every_path_of_the_paper(run, clouds, tmp_path):
     plain = outcome(run, tmp_path, *paper)
     assert plain.pop("paths") == ("grid", "pcl")
     assert plain["lookups"]["evaluation"] > 0 and plain["lookups"]["complement"] > 0
-    for arguments, paths in ((["--reference"], ("kdtree", "pcl")),
-                             (["--neighbors", "brute"], ("brute", "pcl"))):
+    for arguments, paths in (
+        (["--reference"], ("kdtree", "pcl")),
+        (["--neighbors", "brute"], ("brute", "pcl")),
+    ):
         other = outcome(run, tmp_path, *paper, *arguments)
         assert other.pop("paths") == paths
         assert other == plain
@@ -42,10 +49,12 @@ def test_of_the_default_preset_the_features_are_pcls_too(run, clouds, tmp_path):
 @pytest.mark.parametrize(("option", "value"), [("--neighbors", "grid"), ("--features", "simd")])
 def test_a_choice_against_it_is_refused(refused, small, option, value):
     assert f"--reference and {option} {value} contradict each other" in refused(
-        1, *small, "--reference", option, value)
+        1, *small, "--reference", option, value
+    )
 
 
 def test_the_same_choice_beside_it_is_allowed(run, small):
-    done = run(*small, "--reference", "--neighbors", "kdtree", "--features", "pcl",
-               "--iterations", "1")
+    done = run(
+        *small, "--reference", "--neighbors", "kdtree", "--features", "pcl", "--iterations", "1"
+    )
     assert done.returncode in (0, 3), done.stderr

@@ -17,20 +17,36 @@ def report(run, clouds, tmp_path) -> dict:
 
 
 def test_says_what_was_run(report, run):
-    assert report["files"] == {"source": "a.pcd", "target": "b.pcd", "transformation": "T.txt",
-                               "aligned": None, "report": "r.json", "guess": None}
+    assert report["files"] == {
+        "source": "a.pcd",
+        "target": "b.pcd",
+        "transformation": "T.txt",
+        "aligned": None,
+        "report": "r.json",
+        "guess": None,
+    }
     assert (report["preset"], report["seed"], report["threads"]) == ("default", 3, 2)
     versions = report["versions"]
     assert run("--version").stdout == (
-        f"pcl_emtr {versions['emtr']} (PCL {versions['pcl']}, Eigen {versions['eigen']})\n")
+        f"pcl_emtr {versions['emtr']} (PCL {versions['pcl']}, Eigen {versions['eigen']})\n"
+    )
 
 
 def test_says_what_came_out(report, tmp_path, pair):
     assert report["registered"] is True and report["reason"] == "registered"
     assert report["transformation"] == np.loadtxt(tmp_path / "T.txt").tolist()
     quality = report["quality"]
-    assert set(quality) == {"fitness", "inlier_ratio_source", "inlier_ratio_target", "inlier_rmse",
-                            "mode_gap", "score", "fit", "violation", "score_gap"}
+    assert set(quality) == {
+        "fitness",
+        "inlier_ratio_source",
+        "inlier_ratio_target",
+        "inlier_rmse",
+        "mode_gap",
+        "score",
+        "fit",
+        "violation",
+        "score_gap",
+    }
     assert all(0 <= quality[name] <= 1 for name in quality if "ratio" in name)
     counts = report["counts"]
     assert counts["read_source"] == counts["points_source"] == len(pair.source)
@@ -67,12 +83,23 @@ def test_paper_has_no_candidates(run, clouds, tmp_path):
     assert report["confidence"] is None and report["refinement"] is None
     assert report["alternatives"] == [] and report["refined"] is report["escalated"] is False
     assert [report["quality"][name] for name in ("score", "fit", "violation", "score_gap")] == (
-        [None] * 4)
+        [None] * 4
+    )
     assert report["counts"]["iterations"] == 100 and report["counts"]["candidates"] == 0
 
 
-STAGES = ("frame", "densities", "features", "matching", "seeds", "evolution", "candidates",
-          "escalation", "refinement", "verdict")
+STAGES = (
+    "frame",
+    "densities",
+    "features",
+    "matching",
+    "seeds",
+    "evolution",
+    "candidates",
+    "escalation",
+    "refinement",
+    "verdict",
+)
 
 
 def test_times_and_costs_add_up(report):
@@ -88,8 +115,17 @@ def test_times_and_costs_add_up(report):
 
 def test_is_strict_json_when_a_value_is_unknown(run, small, tmp_path):
     """Without any inlier there is no rmse, which JSON has no number for."""
-    run(*small, "--iterations", "1", "--population", "2", "--scale-dense", "0.1", "--report",
-        "r.json")
+    run(
+        *small,
+        "--iterations",
+        "1",
+        "--population",
+        "2",
+        "--scale-dense",
+        "0.1",
+        "--report",
+        "r.json",
+    )
 
     def refuse(name):
         raise AssertionError(f"{name} is no JSON")
@@ -102,7 +138,14 @@ def test_is_strict_json_when_a_value_is_unknown(run, small, tmp_path):
 def test_file_names_that_are_not_utf8(run, small, tmp_path):
     odd = b"\xff.pcd"
     (tmp_path / "a.pcd").rename(tmp_path / odd.decode("utf-8", "surrogateescape"))
-    done = run(odd.decode("utf-8", "surrogateescape"), "b.pcd", "--iterations", "1", "--quiet",
-               "--report", "r.json")
+    done = run(
+        odd.decode("utf-8", "surrogateescape"),
+        "b.pcd",
+        "--iterations",
+        "1",
+        "--quiet",
+        "--report",
+        "r.json",
+    )
     assert done.returncode in (0, 3)
     assert json.loads((tmp_path / "r.json").read_text())["files"]["source"] == "\ufffd.pcd"

@@ -11,19 +11,27 @@ from conftest import ROOT
 
 # From the C API's header, not from the command.
 HEADER = (ROOT / "libemtr" / "include" / "emtr" / "emtr.h").read_text()
-STRUCT = re.search(r"typedef struct emtr_settings \{(.*?)\} emtr_settings;", HEADER,
-                   re.DOTALL).group(1)
+STRUCT = re.search(
+    r"typedef struct emtr_settings \{(.*?)\} emtr_settings;", HEADER, re.DOTALL
+).group(1)
 NAMES = re.findall(r"^  (?:uint64_t|int32_t|double) (?!has_)(\w+);", STRUCT, re.MULTILINE)
-PARTNERS = {"dense_points": ["--sparse-points", "50"], "feature_radius": ["--normal-radius", "1"],
-            "complement_scale_start": ["--complement-scale-end", "0.001"]}
+PARTNERS = {
+    "dense_points": ["--sparse-points", "50"],
+    "feature_radius": ["--normal-radius", "1"],
+    "complement_scale_start": ["--complement-scale-end", "0.001"],
+}
 
 
 @pytest.fixture(scope="module")
 def entries(command) -> dict[str, tuple[str, str]]:
     """Of each setting in --help: what its value is, and its text on one line."""
     text = subprocess.run([command, "--help"], capture_output=True, text=True, check=True).stdout
-    return {name.replace("-", "_"): (kind, " ".join(words.split())) for name, kind, words in
-            re.findall(r"^  --(\S+) (\S+) (.*?)(?=^  -|^$)", text, re.MULTILINE | re.DOTALL)}
+    return {
+        name.replace("-", "_"): (kind, " ".join(words.split()))
+        for name, kind, words in re.findall(
+            r"^  --(\S+) (\S+) (.*?)(?=^  -|^$)", text, re.MULTILINE | re.DOTALL
+        )
+    }
 
 
 def test_the_header_was_understood():
@@ -60,8 +68,16 @@ def test_report_repeats_what_was_set(run, small, tmp_path, entries, name):
     """If need be together with its partner's."""
     value, expected = other(name, *entries[name])
     quick = [] if name in ("iterations", "population") else ["--iterations", "1"]
-    done = run(*small, "--" + name.replace("_", "-"), value, *PARTNERS.get(name, []), *quick,
-               "--quiet", "--report", "r.json")
+    done = run(
+        *small,
+        "--" + name.replace("_", "-"),
+        value,
+        *PARTNERS.get(name, []),
+        *quick,
+        "--quiet",
+        "--report",
+        "r.json",
+    )
     assert done.returncode in (0, 3), done.stderr
     settings = json.loads((tmp_path / "r.json").read_text())["settings"]
     assert list(settings) and set(settings) == set(NAMES)

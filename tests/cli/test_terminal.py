@@ -10,9 +10,13 @@ import subprocess
 def talk_on_terminal(command, folder, *arguments) -> tuple[str, str]:
     """What standard error gets when it is a terminal, and standard output, which is a pipe."""
     master, slave = pty.openpty()
-    process = subprocess.Popen([command, "a.pcd", "b.pcd", "--iterations", "800", *arguments],
-                               cwd=folder, stdout=subprocess.PIPE, stderr=slave,
-                               env=os.environ | {"TERM": "xterm"})
+    process = subprocess.Popen(
+        [command, "a.pcd", "b.pcd", "--iterations", "800", *arguments],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=slave,
+        env=os.environ | {"TERM": "xterm"},
+    )
     os.close(slave)
     talk = b""
     while True:
@@ -32,8 +36,17 @@ def talk_on_terminal(command, folder, *arguments) -> tuple[str, str]:
 def test_progress_on_a_terminal(command, clouds, tmp_path):
     talk, output = talk_on_terminal(command, tmp_path)
     shown = [part for part in talk.split("\r\033[K") if part]
-    for stage in ("frame", "densities", "features", "matching", "seeds", "evolution", "candidates",
-                  "refinement", "verdict"):
+    for stage in (
+        "frame",
+        "densities",
+        "features",
+        "matching",
+        "seeds",
+        "evolution",
+        "candidates",
+        "refinement",
+        "verdict",
+    ):
         assert any(part.startswith(stage) for part in shown), stage
     assert "/800  best alpha " in talk and "best beta " in talk
     assert "\033[K" not in output and len(output.splitlines()) == 4
@@ -43,7 +56,7 @@ def test_progress_line_is_erased(command, clouds, tmp_path):
     talk, _ = talk_on_terminal(command, tmp_path)
     last = talk.rindex("verdict\r\033[K")  # nothing of it is left before the summary
     assert "Registering" in talk[last:]
-    assert "\033[K" not in talk[last + len("verdict\r\033[K"):]
+    assert "\033[K" not in talk[last + len("verdict\r\033[K") :]
 
 
 def test_no_progress_when_quiet(command, clouds, tmp_path):

@@ -14,10 +14,22 @@ def test_help_goes_to_standard_output(run, flag):
     done = run(flag)
     assert done.returncode == 0
     assert not done.stderr
-    for text in ("Usage: pcl_emtr [OPTIONS] source target", "Examples:", "Exit codes:",
-                 "q = R p + t", "-o,--output FILE", "--aligned FILE", "--report FILE",
-                 "--guess FILE", "--preset NAME", "--viewpoint-source X Y Z",
-                 "--viewpoint file|none", "--reference", "-q,--quiet", "--version"):
+    for text in (
+        "Usage: pcl_emtr [OPTIONS] source target",
+        "Examples:",
+        "Exit codes:",
+        "q = R p + t",
+        "-o,--output FILE",
+        "--aligned FILE",
+        "--report FILE",
+        "--guess FILE",
+        "--preset NAME",
+        "--viewpoint-source X Y Z",
+        "--viewpoint file|none",
+        "--reference",
+        "-q,--quiet",
+        "--version",
+    ):
         assert text in done.stdout
     for code, meaning in enumerate(["registered", "usage", "input or output", "not registered"]):
         assert re.search(rf"^  {code}  {meaning}", done.stdout, re.MULTILINE)
@@ -27,45 +39,65 @@ def test_help_goes_to_standard_output(run, flag):
 def test_version(run):
     done = run("--version")
     assert done.returncode == 0
-    assert re.fullmatch(r"pcl_emtr \d+\.\d+\.\d+ \(PCL \d+\.\d+\.\d+, Eigen \d+\.\d+\.\d+\)\n",
-                        done.stdout)
+    assert re.fullmatch(
+        r"pcl_emtr \d+\.\d+\.\d+ \(PCL \d+\.\d+\.\d+, Eigen \d+\.\d+\.\d+\)\n", done.stdout
+    )
 
 
-@pytest.mark.parametrize(("arguments", "pattern"), [
-    ([], "source is required"),
-    (["a.pcd"], "target is required"),
-    (["a.pcd", "b.pcd", "c.pcd"], "not expected: c.pcd"),
-    (["a.pcd", "b.pcd", "--nonsense"], "not expected: --nonsense"),
-    (["a.pcd", "b.pcd", "--iteration", "5"], "--iteration"),
-    (["a.pcd", "b.pcd", "-o"], "--output"),
-    (["a.pcd", "b.pcd", "-o", ""], "--output: expected a file name, got nothing"),
-    (["a.pcd", "b.pcd", "-o", "--quiet"], "--output: expected a file name, got '--quiet'"),
-    (["a.pcd", "b.pcd", "--preset", "quick"],
-     "--preset: 'quick' is not one of: default, fast, thorough or paper"),
-    (["a.pcd", "b.pcd", "--seed", "1", "--seed", "2"], "--seed"),
-    (["a.pcd", "b.pcd", "--seed", "-1"], "--seed: '-1' is not a whole number from 0 to 1844"),
-    (["a.pcd", "b.pcd", "--seed", "1.0"], "--seed: '1.0' is not a whole number"),
-    (["a.pcd", "b.pcd", "--seed", "18446744073709551616"], "--seed: '18446744073709551616'"),
-    (["a.pcd", "b.pcd", "--threads", "-2"], "--threads: '-2' is not a whole number from 0 to"),
-    (["a.pcd", "b.pcd", "--iterations", "1.5x"], "--iterations: '1.5x' is not a whole number"),
-    (["a.pcd", "b.pcd", "--iterations", "0"], "--iterations: '0' is not .* from 1 to 1000000"),
-    (["a.pcd", "b.pcd", "--iterations", " 5"], "--iterations: ' 5'"),
-    (["a.pcd", "b.pcd", "--inertia-start", "nan"], "--inertia-start: 'nan' is not a number from"),
-    (["a.pcd", "b.pcd", "--inertia-start", "3"], "--inertia-start: '3' is not a number from 0 to"),
-    (["a.pcd", "b.pcd", "--inertia-start", "0,5"], "--inertia-start: '0,5'"),
-    (["a.pcd", "b.pcd", "--transfer", "2"], "--transfer: '2' is not on, off, 1 or 0"),
-    (["a.pcd", "b.pcd", "--transfer"], "--transfer"),
-    (["a.pcd", "b.pcd", "--neighbors", "tree"], "--neighbors: 'tree' is not grid, kdtree or brute"),
-    (["a.pcd", "b.pcd", "--neighbors", "0"], "--neighbors: '0' is not grid, kdtree or brute"),
-    (["a.pcd", "b.pcd", "--sparse-points", "9000"], "sparse_points.*dense_points"),
-    (["a.pcd", "b.pcd", "-o", "x", "--aligned", "m.pcd", "--report", "./x"],
-     "--output and --report name the same file, './x'"),
-    (["a.pcd", "b.pcd", "-o", "a.pcd"], "--output would overwrite source, 'a.pcd'"),
-    (["a.pcd", "b.pcd", "--aligned", "./b.pcd"], "--aligned would overwrite target, 'b.pcd'"),
-    (["a.pcd", "b.pcd", "--guess", "g.txt", "-o", "g.txt"], "--output would overwrite --guess"),
-    (["a.pcd", "b.pcd", "-o", "moved.pcd"],
-     "--output: 'moved.pcd' is named like a cloud.*--aligned"),
-    (["a.pcd", "b.pcd", "--report", "r.ply"], "--report: 'r.ply' is named like a cloud")])
+@pytest.mark.parametrize(
+    ("arguments", "pattern"),
+    [
+        ([], "source is required"),
+        (["a.pcd"], "target is required"),
+        (["a.pcd", "b.pcd", "c.pcd"], "not expected: c.pcd"),
+        (["a.pcd", "b.pcd", "--nonsense"], "not expected: --nonsense"),
+        (["a.pcd", "b.pcd", "--iteration", "5"], "--iteration"),
+        (["a.pcd", "b.pcd", "-o"], "--output"),
+        (["a.pcd", "b.pcd", "-o", ""], "--output: expected a file name, got nothing"),
+        (["a.pcd", "b.pcd", "-o", "--quiet"], "--output: expected a file name, got '--quiet'"),
+        (
+            ["a.pcd", "b.pcd", "--preset", "quick"],
+            "--preset: 'quick' is not one of: default, fast, thorough or paper",
+        ),
+        (["a.pcd", "b.pcd", "--seed", "1", "--seed", "2"], "--seed"),
+        (["a.pcd", "b.pcd", "--seed", "-1"], "--seed: '-1' is not a whole number from 0 to 1844"),
+        (["a.pcd", "b.pcd", "--seed", "1.0"], "--seed: '1.0' is not a whole number"),
+        (["a.pcd", "b.pcd", "--seed", "18446744073709551616"], "--seed: '18446744073709551616'"),
+        (["a.pcd", "b.pcd", "--threads", "-2"], "--threads: '-2' is not a whole number from 0 to"),
+        (["a.pcd", "b.pcd", "--iterations", "1.5x"], "--iterations: '1.5x' is not a whole number"),
+        (["a.pcd", "b.pcd", "--iterations", "0"], "--iterations: '0' is not .* from 1 to 1000000"),
+        (["a.pcd", "b.pcd", "--iterations", " 5"], "--iterations: ' 5'"),
+        (
+            ["a.pcd", "b.pcd", "--inertia-start", "nan"],
+            "--inertia-start: 'nan' is not a number from",
+        ),
+        (
+            ["a.pcd", "b.pcd", "--inertia-start", "3"],
+            "--inertia-start: '3' is not a number from 0 to",
+        ),
+        (["a.pcd", "b.pcd", "--inertia-start", "0,5"], "--inertia-start: '0,5'"),
+        (["a.pcd", "b.pcd", "--transfer", "2"], "--transfer: '2' is not on, off, 1 or 0"),
+        (["a.pcd", "b.pcd", "--transfer"], "--transfer"),
+        (
+            ["a.pcd", "b.pcd", "--neighbors", "tree"],
+            "--neighbors: 'tree' is not grid, kdtree or brute",
+        ),
+        (["a.pcd", "b.pcd", "--neighbors", "0"], "--neighbors: '0' is not grid, kdtree or brute"),
+        (["a.pcd", "b.pcd", "--sparse-points", "9000"], "sparse_points.*dense_points"),
+        (
+            ["a.pcd", "b.pcd", "-o", "x", "--aligned", "m.pcd", "--report", "./x"],
+            "--output and --report name the same file, './x'",
+        ),
+        (["a.pcd", "b.pcd", "-o", "a.pcd"], "--output would overwrite source, 'a.pcd'"),
+        (["a.pcd", "b.pcd", "--aligned", "./b.pcd"], "--aligned would overwrite target, 'b.pcd'"),
+        (["a.pcd", "b.pcd", "--guess", "g.txt", "-o", "g.txt"], "--output would overwrite --guess"),
+        (
+            ["a.pcd", "b.pcd", "-o", "moved.pcd"],
+            "--output: 'moved.pcd' is named like a cloud.*--aligned",
+        ),
+        (["a.pcd", "b.pcd", "--report", "r.ply"], "--report: 'r.ply' is named like a cloud"),
+    ],
+)
 def test_refused(refused, small, tmp_path, arguments, pattern):
     (tmp_path / "g.txt").write_text("1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n")
     message = refused(1, *arguments)

@@ -79,7 +79,10 @@ class Running:
         self.master, slave = pty.openpty()
         self.process = subprocess.Popen(
             [command, "a.pcd", "b.pcd", "--iterations", "1000000", "--threads", "1", *arguments],
-            cwd=folder, stdout=subprocess.PIPE, stderr=slave)
+            cwd=folder,
+            stdout=subprocess.PIPE,
+            stderr=slave,
+        )
         os.close(slave)
         self.talk = ""
         while "/1000000  best alpha" not in self.talk:
@@ -124,7 +127,11 @@ def test_interrupt_before_any_pose(command, tmp_path):
     (tmp_path / "b.pcd").write_bytes((tmp_path / "a.pcd").read_bytes())
     process = subprocess.Popen(
         [command, "a.pcd", "b.pcd", "--dense-points", "200000", "--threads", "1", "-o", "T.txt"],
-        cwd=tmp_path, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        cwd=tmp_path,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
     for line in process.stderr:  # the second cloud is loaded, the work begins
         if "Loading b.pcd" in line:
             break

@@ -56,10 +56,14 @@ def test_taken_from_the_files(found, files):
 def test_given_goes_before_the_files(found, files):
     clouds = files("1 2 3 1 0 0 0", "4 5 6 1 0 0 0")
     given = ["--viewpoint-source", "0", "-1.5", "2e1"]
-    assert found(*clouds, *QUICK, *given)["viewpoints"] == {"source": [0, -1.5, 20],
-                                                            "target": [4, 5, 6]}
+    assert found(*clouds, *QUICK, *given)["viewpoints"] == {
+        "source": [0, -1.5, 20],
+        "target": [4, 5, 6],
+    }
     assert found(*given, "--viewpoint", "none", *QUICK, *clouds)["viewpoints"] == {
-        "source": [0, -1.5, 20], "target": None}
+        "source": [0, -1.5, 20],
+        "target": None,
+    }
 
 
 def test_taken_from_a_ply_camera(run, found, files, tmp_path):
@@ -86,13 +90,22 @@ def test_they_act(found, files, pair):
     assert wrong["quality"]["score"] < by_hand["quality"]["score"] - 0.3
 
 
-@pytest.mark.parametrize(("arguments", "pattern"), [
-    (["--viewpoint-source", "1", "2"], "--viewpoint-source"),
-    (["--viewpoint-source", "1", "2", "x"], "--viewpoint-source: 'x' is not a finite number"),
-    (["--viewpoint-target", "1", "nan", "3"], "--viewpoint-target: 'nan' is not a finite number"),
-    (["--viewpoint-target", "1", "2", "3", "--viewpoint-target", "1", "2", "3"],
-     "--viewpoint-target"),
-    (["--viewpoint", "1"], "--viewpoint: '1' is not file or none; .*--viewpoint-source X Y Z")])
+@pytest.mark.parametrize(
+    ("arguments", "pattern"),
+    [
+        (["--viewpoint-source", "1", "2"], "--viewpoint-source"),
+        (["--viewpoint-source", "1", "2", "x"], "--viewpoint-source: 'x' is not a finite number"),
+        (
+            ["--viewpoint-target", "1", "nan", "3"],
+            "--viewpoint-target: 'nan' is not a finite number",
+        ),
+        (
+            ["--viewpoint-target", "1", "2", "3", "--viewpoint-target", "1", "2", "3"],
+            "--viewpoint-target",
+        ),
+        (["--viewpoint", "1"], "--viewpoint: '1' is not file or none; .*--viewpoint-source X Y Z"),
+    ],
+)
 def test_refused(refused, small, arguments, pattern):
     assert re.search(pattern, refused(1, *small, *arguments))
 

@@ -16,8 +16,11 @@ BUILD = Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build"))
 DATA = Path(os.environ.get("EMTR_DATA", ROOT.parent / "shared" / "data"))
 PROGRAM, COMMAND = BUILD / "tests" / "entries" / "entries", BUILD / "tools" / "pcl_emtr"
 PAIRS = ["generated", "stanford/bunny_045_000", "fgr/angel_n1_18", "uwa/trex_03_01"]
-CASES = [*[(pair, preset) for pair in PAIRS for preset in ("default", "paper")],
-         ("generated", "fast"), ("uwa/trex_03_01", "thorough")]
+CASES = [
+    *[(pair, preset) for pair in PAIRS for preset in ("default", "paper")],
+    ("generated", "fast"),
+    ("uwa/trex_03_01", "thorough"),
+]
 
 
 def read_ply(path: Path) -> np.ndarray:
@@ -37,24 +40,38 @@ def generated() -> tuple[np.ndarray, np.ndarray]:
 
 
 def write_pcd(path: Path, points: np.ndarray) -> Path:
-    header = ("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
-              f"WIDTH {len(points)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(points)}\n"
-              "DATA binary\n")
+    header = (
+        "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+        f"WIDTH {len(points)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(points)}\n"
+        "DATA binary\n"
+    )
     path.write_bytes(header.encode() + points.astype("<f4").tobytes())
     return path
 
 
-def by_programs(source: Path, target: Path, threads: int, seed: int,
-                preset: str) -> list[np.ndarray]:
+def by_programs(
+    source: Path, target: Path, threads: int, seed: int, preset: str
+) -> list[np.ndarray]:
     words = [str(PROGRAM), str(source), str(target), str(threads), str(seed), preset]
     printed = subprocess.run(words, capture_output=True, text=True, check=True, timeout=300).stdout
-    return [np.array([float.fromhex(word) for word in line.split()]).reshape(4, 4)
-            for line in printed.splitlines()]
+    return [
+        np.array([float.fromhex(word) for word in line.split()]).reshape(4, 4)
+        for line in printed.splitlines()
+    ]
 
 
 def by_shell(source: Path, target: Path, threads: int, seed: int, preset: str) -> np.ndarray:
-    words = [str(COMMAND), str(source), str(target), "--threads", str(threads), "--seed", str(seed),
-             "--preset", preset]
+    words = [
+        str(COMMAND),
+        str(source),
+        str(target),
+        "--threads",
+        str(threads),
+        "--seed",
+        str(seed),
+        "--preset",
+        preset,
+    ]
     done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=300)
     assert done.returncode in (0, 3), done.stderr
     return np.array(done.stdout.split(), dtype=float).reshape(4, 4)
@@ -71,14 +88,19 @@ def test_same_bits(pair: str, preset: str, tmp_path: Path) -> None:
         pytest.skip(f"no real scans at {folder}: set EMTR_DATA")
     else:
         clouds = read_ply(folder / "source.ply"), read_ply(folder / "target.ply")
-    files = (write_pcd(tmp_path / "source.pcd", clouds[0]),
-             write_pcd(tmp_path / "target.pcd", clouds[1]))
+    files = (
+        write_pcd(tmp_path / "source.pcd", clouds[0]),
+        write_pcd(tmp_path / "target.pcd", clouds[1]),
+    )
 
     first = pyemtr.register(*clouds, seed=5, threads=1, preset=preset).transformation
     for threads in (1, 2, 4, 8):
         here = pyemtr.register(*clouds, seed=5, threads=threads, preset=preset)
-        found = [here.transformation, by_shell(*files, threads, 5, preset),
-                 *by_programs(*files, threads, 5, preset)]
+        found = [
+            here.transformation,
+            by_shell(*files, threads, 5, preset),
+            *by_programs(*files, threads, 5, preset),
+        ]
         assert len(found) == 5
         for transformation in found:
             np.testing.assert_array_equal(transformation, first)

@@ -13,9 +13,9 @@ from scipy.spatial.transform import Rotation
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "tools" / "bench"))
 
-from emtr_bench.pairs import REPOSITORY  # noqa: E402
-from emtr_bench.runner import Options, Outcome  # noqa: E402
-from emtr_bench.sample import write_ply  # noqa: E402
+from emtr_bench.pairs import REPOSITORY
+from emtr_bench.runner import Options, Outcome
+from emtr_bench.sample import write_ply
 
 COLUMNS = "group,name,tier,paper_row,n_source,n_target"
 ROWS = (

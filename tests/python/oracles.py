@@ -19,8 +19,9 @@ def rotation(angles: np.ndarray) -> np.ndarray:
 
 def nearest(queries: np.ndarray, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Distance to and index of the nearest point, for each query."""
-    squared = sum((queries[:, None, axis] - points[None, :, axis]) ** 2
-                  for axis in range(points.shape[1]))
+    squared = sum(
+        (queries[:, None, axis] - points[None, :, axis]) ** 2 for axis in range(points.shape[1])
+    )
     index = squared.argmin(axis=1)
     return np.sqrt(squared[np.arange(len(queries)), index]), index
 

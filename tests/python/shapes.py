@@ -10,7 +10,7 @@ import numpy as np
 class Pair(NamedTuple):
     source: np.ndarray  # float64 (n, 3)
     target: np.ndarray  # float64 (m, 3)
-    truth: np.ndarray   # float64 (4, 4), source into target
+    truth: np.ndarray  # float64 (4, 4), source into target
 
 
 def lump(rng: np.random.Generator, count: int) -> np.ndarray:
@@ -66,12 +66,30 @@ def make_pair(seed: int, count: int = 9000, scale: float = 1.0, offset: float = 
 def bits(result) -> bytes:
     """Everything of a pyemtr.Result that the seed decides."""
     poses = [alternative.transformation for alternative in result.alternatives]
-    arrays = [result.transformation, result.information, result.hold, result.hold_directions,
-              result.history["alpha"], result.history["beta"], *poses]
-    numbers = [result.fitness, result.inlier_ratio_source, result.inlier_ratio_target,
-               result.inlier_rmse, result.mode_gap, result.confidence, result.score, result.fit,
-               result.violation, result.score_gap, result.seeds, result.candidates,
-               *[alternative.score for alternative in result.alternatives]]
+    arrays = [
+        result.transformation,
+        result.information,
+        result.hold,
+        result.hold_directions,
+        result.history["alpha"],
+        result.history["beta"],
+        *poses,
+    ]
+    numbers = [
+        result.fitness,
+        result.inlier_ratio_source,
+        result.inlier_ratio_target,
+        result.inlier_rmse,
+        result.mode_gap,
+        result.confidence,
+        result.score,
+        result.fit,
+        result.violation,
+        result.score_gap,
+        result.seeds,
+        result.candidates,
+        *[alternative.score for alternative in result.alternatives],
+    ]
     return b"".join(array.tobytes() for array in [*arrays, np.array(numbers, dtype=float)])
 
 

@@ -47,11 +47,11 @@ def test_a_pair_is_read_in_double_with_an_orthonormal_truth(data):
 def test_the_folder_is_the_argument_then_the_environment(data, tmp_path, monkeypatch):
     monkeypatch.setenv("EMTR_DATA", str(data))
     assert pairs.data_folder() == data
-    with pytest.raises(DataError, match="nowhere.*MANIFEST.csv does not exist"):
+    with pytest.raises(DataError, match=r"nowhere.*MANIFEST.csv does not exist"):
         pairs.data_folder(str(tmp_path / "nowhere"))
     monkeypatch.delenv("EMTR_DATA")
     monkeypatch.setattr(pairs, "REPOSITORY", tmp_path / "project")
-    with pytest.raises(DataError, match="shared/data/MANIFEST.csv.*EMTR_DATA"):
+    with pytest.raises(DataError, match=r"shared/data/MANIFEST.csv.*EMTR_DATA"):
         pairs.data_folder()
 
 
@@ -78,5 +78,5 @@ def test_a_bad_file_is_named(data, name, content, message):
 
 def test_a_bad_manifest_is_named(data):
     (data / "MANIFEST.csv").write_text("group,name\nobjects,duck\n")
-    with pytest.raises(DataError, match="MANIFEST.csv: expected the columns group, name, tier"):
+    with pytest.raises(DataError, match=r"MANIFEST.csv: expected the columns group, name, tier"):
         pairs.read_manifest(data)

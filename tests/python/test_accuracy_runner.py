@@ -128,20 +128,30 @@ def test_the_auc_is_the_share_of_pairs_in_order():
 
 
 def test_only_an_ambiguous_run_is_excused_by_its_alternatives(manifest):
-    engine = FakeEngine(spoiled={0: (9.0, 0.0), 1: (9.0, 0.0), 2: (9.0, 0.0)}, sure=(1,),
-                        aware=(0, 1))
+    engine = FakeEngine(
+        spoiled={0: (9.0, 0.0), 1: (9.0, 0.0), 2: (9.0, 0.0)}, sure=(1,), aware=(0, 1)
+    )
     runs = run_all(manifest[:1], 4, engine)
     assert [run.among for run in runs] == [True, True, False, False]
     assert [run.joint_or_among for run in runs] == [True, False, False, True]
 
 
-NAMES = {"chef_01_05": "uwa", "trex_model_scene_rs1": "uwa", "chicken_sim": "uwa",
-         "kitti_05_00": "lidar", "kitchen_1_0_3dmatch": "threedmatch", "bunny_045_000": "stanford"}
+NAMES = {
+    "chef_01_05": "uwa",
+    "trex_model_scene_rs1": "uwa",
+    "chicken_sim": "uwa",
+    "kitti_05_00": "lidar",
+    "kitchen_1_0_3dmatch": "threedmatch",
+    "bunny_045_000": "stanford",
+}
 
 
 def test_where_the_sensors_stood_is_known_of_some(tmp_path):
-    found = [name for name, group in NAMES.items()
-             if sensors_known(pairs.Pair(name, "standard", tmp_path, group=group))]
+    found = [
+        name
+        for name, group in NAMES.items()
+        if sensors_known(pairs.Pair(name, "standard", tmp_path, group=group))
+    ]
     assert found == ["chef_01_05", "kitti_05_00", "kitchen_1_0_3dmatch"]
 
 
@@ -157,8 +167,9 @@ def test_the_sensors_move_with_the_scans(manifest):
     assert [sensors is None for _, sensors in told] == [False, False, True, True]
     raw = pairs.load(pair).source
     for source, sensors in told[:2]:
-        np.testing.assert_allclose(np.linalg.norm(source - sensors.source, axis=1),
-                                   np.linalg.norm(raw, axis=1))
+        np.testing.assert_allclose(
+            np.linalg.norm(source - sensors.source, axis=1), np.linalg.norm(raw, axis=1)
+        )
         assert np.linalg.norm(sensors.source) > 1  # it has moved
         np.testing.assert_array_equal(sensors.target, 0)
 

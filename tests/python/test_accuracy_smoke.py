@@ -19,6 +19,7 @@ def run(*argv, **environment):
         capture_output=True,
         text=True,
         env={**os.environ, **environment},
+        check=False,
     )
 
 

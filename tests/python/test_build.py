@@ -16,10 +16,22 @@ ROOT = Path(__file__).resolve().parents[2]
 def build(tmp_path, **variables):
     environment = {**os.environ, **variables}
     done = subprocess.run(
-        [sys.executable, "setup.py", "build_ext", "--build-temp", str(tmp_path / "temp"),
-         "--build-lib", str(tmp_path / "lib")],
-        cwd=ROOT, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-        check=False)
+        [
+            sys.executable,
+            "setup.py",
+            "build_ext",
+            "--build-temp",
+            str(tmp_path / "temp"),
+            "--build-lib",
+            str(tmp_path / "lib"),
+        ],
+        cwd=ROOT,
+        env=environment,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
     assert not list(tmp_path.rglob("*.so"))
     return done
 

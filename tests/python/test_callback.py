@@ -10,14 +10,30 @@ import time
 import weakref
 
 import numpy as np
-import pyemtr
 import pytest
 from children import environment
 
-STAGES = ["frame", "densities", "features", "matching", "seeds", "evolution", "candidates",
-          "escalation", "refinement", "verdict"]
-ALL = {"iterations": 8, "threads": 2, "dense_points": 3000, "escalation": "always",
-       "escalation_points": 4000}  # quick, and through all stages
+import pyemtr
+
+STAGES = [
+    "frame",
+    "densities",
+    "features",
+    "matching",
+    "seeds",
+    "evolution",
+    "candidates",
+    "escalation",
+    "refinement",
+    "verdict",
+]
+ALL = {
+    "iterations": 8,
+    "threads": 2,
+    "dense_points": 3000,
+    "escalation": "always",
+    "escalation_points": 4000,
+}  # quick, and through all stages
 
 
 def test_each_stage_and_iteration_is_told(pair):
@@ -32,18 +48,25 @@ def test_each_stage_and_iteration_is_told(pair):
     assert result.iterations == 8
 
 
-@pytest.mark.parametrize("changes, absent", [
-    ({"preset": "paper"}, {"seeds", "candidates", "escalation", "refinement"}),
-    ({"escalation": "off"}, {"escalation"}), ({"refine": False}, {"escalation", "refinement"}),
-    ({"candidates": 0}, {"candidates", "escalation"})])
+@pytest.mark.parametrize(
+    "changes, absent",
+    [
+        ({"preset": "paper"}, {"seeds", "candidates", "escalation", "refinement"}),
+        ({"escalation": "off"}, {"escalation"}),
+        ({"refine": False}, {"escalation", "refinement"}),
+        ({"candidates": 0}, {"candidates", "escalation"}),
+    ],
+)
 def test_a_stage_that_does_not_run_is_not_told(pair, changes, absent):
     seen = []
-    result = pyemtr.register(pair.source, pair.target, iterations=8, threads=2,
-                             callback=seen.append, **changes)
+    result = pyemtr.register(
+        pair.source, pair.target, iterations=8, threads=2, callback=seen.append, **changes
+    )
     told = list(dict.fromkeys(step.stage for step in seen))
     assert told == [stage for stage in STAGES if stage not in absent]
     assert [stage for stage in STAGES if result.timings[stage] == 0] == (
-        [stage for stage in STAGES if stage in absent])
+        [stage for stage in STAGES if stage in absent]
+    )
 
 
 def test_watching_changes_no_bit(pair):
@@ -54,10 +77,11 @@ def test_watching_changes_no_bit(pair):
 
 @pytest.mark.parametrize("stage", STAGES)
 def test_true_stops_at_any_stage(pair, stage):
-    result = pyemtr.register(pair.source, pair.target, **ALL,
-                             callback=lambda progress: progress.stage == stage)
+    result = pyemtr.register(
+        pair.source, pair.target, **ALL, callback=lambda progress: progress.stage == stage
+    )
     assert result.reason == "interrupted" and not result.registered
-    done = STAGES[:STAGES.index(stage)]
+    done = STAGES[: STAGES.index(stage)]
     assert result.iterations == (8 if "evolution" in done else 0)
     assert np.isfinite(result.transformation).all() == ("evolution" in done)
     assert np.isfinite(result.confidence) == ("candidates" in done)
@@ -66,8 +90,13 @@ def test_true_stops_at_any_stage(pair, stage):
 
 
 def test_stopped_between_iterations_the_best_pose_so_far_is_given(pair):
-    result = pyemtr.register(pair.source, pair.target, iterations=50, threads=2,
-                             callback=lambda progress: progress.iteration == 5)
+    result = pyemtr.register(
+        pair.source,
+        pair.target,
+        iterations=50,
+        threads=2,
+        callback=lambda progress: progress.iteration == 5,
+    )
     assert result.reason == "interrupted" and result.iterations == 5
     assert len(result.history["alpha"]) == 5 and np.isfinite(result.transformation).all()
     problem = pyemtr.Problem(pair.source, pair.target, iterations=50, threads=2)
@@ -155,9 +184,9 @@ CHILD = """
 """
 RUNS = {
     "register": "print('ready', flush=True); pyemtr.register(pair.source, pair.target, "
-                "iterations=1000000, threads=1, callback=callback)",
+    "iterations=1000000, threads=1, callback=callback)",
     "solve": "problem = pyemtr.Problem(pair.source, pair.target, iterations=1000000, threads=1); "
-             "print('ready', flush=True); problem.solve(callback)",
+    "print('ready', flush=True); problem.solve(callback)",
 }
 
 
@@ -165,8 +194,13 @@ RUNS = {
 @pytest.mark.parametrize("run", RUNS)
 def test_ctrl_c(run, callback, tmp_path):
     code = textwrap.dedent(CHILD).format(run=RUNS[run], callback=callback)
-    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
-                          env=environment(), cwd=tmp_path) as child:
+    with subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdout=subprocess.PIPE,
+        text=True,
+        env=environment(),
+        cwd=tmp_path,
+    ) as child:
         try:
             assert child.stdout.readline() == "ready\n"
             time.sleep(1)

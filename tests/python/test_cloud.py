@@ -4,10 +4,11 @@ import gc
 import threading
 
 import numpy as np
-import pyemtr
 import pytest
 import shapes
 from shapes import bits
+
+import pyemtr
 
 
 @pytest.fixture(scope="module")
@@ -31,8 +32,10 @@ def test_problems_and_tasks_take_clouds(pair, problem, cloud):
     wanted = problem.evaluate_alpha(particles).tobytes()
     assert pyemtr.Problem(source, cloud).evaluate_alpha(particles).tobytes() == wanted
     assert pyemtr.TaskAlpha(source, pair.target).evaluate(particles).tobytes() == wanted
-    assert (pyemtr.TaskBeta(pair.source, cloud).evaluate(particles[:, :3]).tobytes()
-            == problem.evaluate_beta(particles[:, :3]).tobytes())
+    assert (
+        pyemtr.TaskBeta(pair.source, cloud).evaluate(particles[:, :3]).tobytes()
+        == problem.evaluate_beta(particles[:, :3]).tobytes()
+    )
 
 
 def test_what_it_tells(pair):
@@ -43,8 +46,9 @@ def test_what_it_tells(pair):
     assert len(made) == len(finite) and made.dropped == 3
     np.testing.assert_allclose(made.center, finite.mean(axis=0), atol=1e-12)
     assert made.radius == pytest.approx(np.linalg.norm(finite - made.center, axis=1).max())
-    assert repr(made) == (f"<pyemtr.Cloud: {len(finite)} points, 3 dropped, "
-                          f"radius {made.radius:.6g}>")
+    assert repr(made) == (
+        f"<pyemtr.Cloud: {len(finite)} points, 3 dropped, radius {made.radius:.6g}>"
+    )
     assert "dropped" not in repr(pyemtr.Cloud(finite))
     with pytest.raises(AttributeError):
         made.radius = 2.0
@@ -74,8 +78,14 @@ def test_threads_share_one_at_the_same_time(pair):
     wanted = bits(pyemtr.register(pair.source, pair.target, iterations=10, threads=1))
     source, target = pyemtr.Cloud(pair.source), pyemtr.Cloud(pair.target)
     found = []
-    workers = [threading.Thread(target=lambda: found.append(
-        bits(pyemtr.register(source, target, iterations=10, threads=1)))) for _ in range(6)]
+    workers = [
+        threading.Thread(
+            target=lambda: found.append(
+                bits(pyemtr.register(source, target, iterations=10, threads=1))
+            )
+        )
+        for _ in range(6)
+    ]
     for worker in workers:
         worker.start()
     for worker in workers:
@@ -83,12 +93,16 @@ def test_threads_share_one_at_the_same_time(pair):
     assert found == [wanted] * 6
 
 
-@pytest.mark.parametrize("points, error, text", [
-    (np.zeros((3, 50)), ValueError, r"points: .*\(3, 50\).*transpose"),
-    (np.zeros((50, 3), complex), TypeError, "points: .*complex"),
-    (np.zeros((9, 3)), ValueError, "^cloud: 9 finite points of 9"),
-    (np.ones((50, 3)), ValueError, "^cloud: all points are equal"),
-    (np.arange(150.0).reshape(50, 3), ValueError, "^cloud: all points lie on one line")])
+@pytest.mark.parametrize(
+    "points, error, text",
+    [
+        (np.zeros((3, 50)), ValueError, r"points: .*\(3, 50\).*transpose"),
+        (np.zeros((50, 3), complex), TypeError, "points: .*complex"),
+        (np.zeros((9, 3)), ValueError, "^cloud: 9 finite points of 9"),
+        (np.ones((50, 3)), ValueError, "^cloud: all points are equal"),
+        (np.arange(150.0).reshape(50, 3), ValueError, "^cloud: all points lie on one line"),
+    ],
+)
 def test_bad_points_are_refused(points, error, text):
     with pytest.raises(error, match=text):
         pyemtr.Cloud(points)
@@ -99,9 +113,9 @@ def test_bad_threads_and_partners_are_refused(pair, cloud):
         pyemtr.Cloud(pair.source, threads=-1)
     with pytest.raises(TypeError, match="threads"):
         pyemtr.Cloud(pair.source, threads=1.5)
-    with pytest.raises(ValueError, match="^source cloud: 9 finite points"):
+    with pytest.raises(ValueError, match=r"^source cloud: 9 finite points"):
         pyemtr.register(np.zeros((9, 3)), cloud)
-    with pytest.raises(ValueError, match="^target cloud: 9 finite points"):
+    with pytest.raises(ValueError, match=r"^target cloud: 9 finite points"):
         pyemtr.Problem(cloud, np.zeros((9, 3)))
     with pytest.raises(ValueError, match="source cloud: thinned"):
         pyemtr.register(pyemtr.Cloud(pair.source * 1e-4), cloud)

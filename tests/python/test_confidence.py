@@ -3,9 +3,10 @@
 import json
 
 import numpy as np
-import pyemtr
 import pytest
 import shapes
+
+import pyemtr
 
 HALF_TURN = np.diag([-1.0, -1.0, 1.0, 1.0])
 
@@ -68,15 +69,19 @@ def test_alternatives_are_other_poses_best_first(twofold):
         np.testing.assert_allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3), atol=1e-12)
     for i, pose in enumerate(poses[1:], start=1):
         for other in poses[1:i]:
-            assert (shapes.rotation_error(pose, other) > 9.99
-                    or shapes.centroid_error(pose, other, twofold.source) > 0.149 * found.scale)
+            assert (
+                shapes.rotation_error(pose, other) > 9.99
+                or shapes.centroid_error(pose, other, twofold.source) > 0.149 * found.scale
+            )
 
 
 def test_a_lower_bar_lets_more_be_called_registered(pair):
     rng = np.random.default_rng(0)
     noise = rng.uniform(size=(5000, 3))
-    bars = [pyemtr.register(noise, pair.target, minimum_confidence=bar, iterations=6, threads=2)
-            for bar in (0.0, 0.5)]
+    bars = [
+        pyemtr.register(noise, pair.target, minimum_confidence=bar, iterations=6, threads=2)
+        for bar in (0.0, 0.5)
+    ]
     assert bars[0].confidence == bars[1].confidence < 0.5
     assert bars[0].registered and not bars[1].registered
     assert bars[1].reason in ("low_overlap", "ambiguous", "few_matches")
@@ -85,5 +90,8 @@ def test_a_lower_bar_lets_more_be_called_registered(pair):
 def test_alternatives_can_be_written_down(twofold):
     found = pyemtr.register(twofold.source, twofold.target, threads=2)
     written = json.loads(json.dumps(found.to_dict(), allow_nan=False))["alternatives"]
-    assert written == [{"transformation": pose.tolist(), "score": score}
-                       for pose, score in found.alternatives] != []
+    assert (
+        written
+        == [{"transformation": pose.tolist(), "score": score} for pose, score in found.alternatives]
+        != []
+    )

@@ -1,9 +1,10 @@
 """The information of a refined pose, and the directions in which the surfaces do not hold it."""
 
 import numpy as np
-import pyemtr
 import pytest
 import shapes
+
+import pyemtr
 
 
 @pytest.fixture(scope="module")
@@ -17,8 +18,9 @@ def test_shapes_and_order(solved):
     np.testing.assert_allclose(solved.information, solved.information.T, rtol=1e-9)
     assert np.linalg.eigvalsh(solved.information).min() > 0
     assert 0 < solved.hold[0] <= solved.hold[-1] <= 1 and np.all(np.diff(solved.hold) >= 0)
-    np.testing.assert_allclose(solved.hold_directions @ solved.hold_directions.T, np.eye(6),
-                               atol=1e-9)
+    np.testing.assert_allclose(
+        solved.hold_directions @ solved.hold_directions.T, np.eye(6), atol=1e-9
+    )
     assert solved.free_directions == 0 and solved.refined
 
 
@@ -26,8 +28,9 @@ def test_the_unit_of_the_information(pair, solved):
     # Shifts of 1024 times as many units: exact in binary. Rotations stay as they are.
     other = pyemtr.register(pair.source * 1024, pair.target * 1024, threads=2)
     units = np.array([1, 1, 1, 1024, 1024, 1024])
-    np.testing.assert_allclose(other.information * np.outer(units, units), solved.information,
-                               rtol=1e-9)
+    np.testing.assert_allclose(
+        other.information * np.outer(units, units), solved.information, rtol=1e-9
+    )
     np.testing.assert_array_equal(other.hold, solved.hold)
 
 
@@ -41,10 +44,14 @@ def test_the_information_foretells_the_scatter_of_the_pose():
         turn = found.transformation[:3, :3] @ pair.truth[:3, :3].T
         # To the target's frame of the first motion, where the errors of all can be compared.
         back = pair.truth[:3, :3].T
-        w = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0],
-                      turn[1, 0] - turn[0, 1]]) / 2
-        v = (shapes.apply(found.transformation, pair.source[:1])
-             - shapes.apply(pair.truth, pair.source[:1]))[0]
+        w = (
+            np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+            / 2
+        )
+        v = (
+            shapes.apply(found.transformation, pair.source[:1])
+            - shapes.apply(pair.truth, pair.source[:1])
+        )[0]
         v -= np.cross(w, shapes.apply(pair.truth, pair.source[:1])[0] - found.center_target)
         errors.append(np.concatenate([back @ w, back @ v]))
         both = np.kron(np.eye(2), back)
@@ -59,8 +66,9 @@ def test_the_information_foretells_the_scatter_of_the_pose():
 
 def test_a_ball_turns_as_it_likes():
     rng = np.random.default_rng(2)
-    found = pyemtr.register(shapes.directions(rng, 8000), shapes.directions(rng, 8000), threads=2,
-                            minimum_confidence=0)
+    found = pyemtr.register(
+        shapes.directions(rng, 8000), shapes.directions(rng, 8000), threads=2, minimum_confidence=0
+    )
     assert found.reason == "degenerate" and not found.registered
     assert "slide or spin" in found.reason_text
     assert found.free_directions == 3

@@ -1,22 +1,24 @@
 """Whatever cloud comes in: a finite pose, or a ValueError that names the cloud."""
 
 import numpy as np
-import pyemtr
 import pytest
 from hypothesis import HealthCheck, event, given, settings
 from hypothesis import strategies as st
 
+import pyemtr
+
 RNG = np.random.default_rng(0)
 SCENE = RNG.normal(size=(300, 3))
 ANY = st.one_of(st.sampled_from([np.nan, np.inf, -np.inf]), st.floats(-3, 3), st.floats())
-AXES = st.sampled_from([[1, 1, 1], [1, 1, 0], [5, 1, 0.1], [1, 1e-6, 0], [1e100, 1, 1],
-                        [1e-100] * 3])
+AXES = st.sampled_from(
+    [[1, 1, 1], [1, 1, 0], [5, 1, 0.1], [1, 1e-6, 0], [1e100, 1, 1], [1e-100] * 3]
+)
 
 
 @st.composite
 def clouds(draw):
     """Some of the scene, flattened or stretched or moved, with any numbers strewn in."""
-    cloud = SCENE[:draw(st.sampled_from([300, 9, 10, 60, 120]))] * draw(AXES)
+    cloud = SCENE[: draw(st.sampled_from([300, 9, 10, 60, 120]))] * draw(AXES)
     cloud = cloud + draw(st.sampled_from([0.0, 1e6, -1e15]))
     for row, number in draw(st.lists(st.tuples(st.integers(0, len(cloud) - 1), ANY), max_size=4)):
         cloud[row, row % 3] = number
@@ -67,7 +69,17 @@ def test_odd_clouds(odd):
     answer(SCENE, ODD[odd])
 
 
-@pytest.mark.parametrize("odd", ["thirty points", "a plane", "all points twice", "a lattice",
-                                 "far from the origin", "mostly NaN", "small doubles"])
+@pytest.mark.parametrize(
+    "odd",
+    [
+        "thirty points",
+        "a plane",
+        "all points twice",
+        "a lattice",
+        "far from the origin",
+        "mostly NaN",
+        "small doubles",
+    ],
+)
 def test_some_odd_clouds_are_no_error(odd):
     assert answer(ODD[odd], ODD[odd]) is not None

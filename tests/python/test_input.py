@@ -3,10 +3,11 @@
 import types
 
 import numpy as np
-import pyemtr
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
+import pyemtr
 from pyemtr.arrays import as_points
 
 QUICK = {"iterations": 3, "threads": 2}
@@ -101,19 +102,25 @@ def test_the_input_is_left_alone(clouds):
     assert all(np.array_equal(a, b) for a, b in zip(copies, clouds))
 
 
-@pytest.mark.parametrize("layout", ["float64", "slice of wider", "every other row", "read-only",
-                                    "unaligned"])
+@pytest.mark.parametrize(
+    "layout", ["float64", "slice of wider", "every other row", "read-only", "unaligned"]
+)
 def test_rows_are_read_in_place(clouds, layout):
     array = LAYOUTS[layout](clouds[0])
     assert np.shares_memory(as_points(array, "source"), array)
 
 
 @settings(max_examples=150, deadline=None)
-@given(count=st.integers(2, 9), wide=st.integers(3, 6), step=st.integers(-3, 3).filter(bool),
-       dtype=st.sampled_from("f2 f4 f8 >f4 >f8 g i1 u2 >i4 i8".split()), fortran=st.booleans())
+@given(
+    count=st.integers(2, 9),
+    wide=st.integers(3, 6),
+    step=st.integers(-3, 3).filter(bool),
+    dtype=st.sampled_from(["f2", "f4", "f8", ">f4", ">f8", "g", "i1", "u2", ">i4", "i8"]),
+    fortran=st.booleans(),
+)
 def test_as_points_keeps_values_in_every_layout(count, wide, step, dtype, fortran):
     base = np.arange(abs(step) * count * wide).reshape(-1, wide) % 100
-    array = np.array(base, dtype, order="F" if fortran else "C")[::step, wide - 3:]
+    array = np.array(base, dtype, order="F" if fortran else "C")[::step, wide - 3 :]
     points = as_points(array, "source")
     assert points.dtype in (np.float32, np.float64) and points.dtype.isnative
     assert points.strides[1] == points.itemsize and points.strides[0] >= 3 * points.itemsize

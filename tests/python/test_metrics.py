@@ -138,13 +138,13 @@ def test_a_bad_matrix_is_refused_by_name(name, message):
 
 @pytest.mark.parametrize("scale", [0.0, -1.0, math.nan, math.inf])
 def test_a_bad_scale_is_refused(scale):
-    with pytest.raises(ValueError, match="^scale: "):
+    with pytest.raises(ValueError, match=r"^scale: "):
         translation_error(np.eye(4), np.eye(4), [0, 0, 0], scale)
 
 
 @pytest.mark.parametrize("center", [[0, 0], [[0, 0, 0]], [0, 0, math.nan], 1.0])
 def test_a_bad_center_is_refused(center):
-    with pytest.raises(ValueError, match="^center: "):
+    with pytest.raises(ValueError, match=r"^center: "):
         translation_error(np.eye(4), np.eye(4), center, 1.0)
 
 

@@ -2,8 +2,9 @@
 
 import numpy as np
 import oracles
-import pyemtr
 import pytest
+
+import pyemtr
 
 
 @pytest.fixture(scope="module")
@@ -21,8 +22,10 @@ def particles(problem, pair):
 
 def test_sparse_stage(problem, particles):
     found = problem.evaluate_alpha(particles, "sparse")
-    wanted = [oracles.alpha_sparse(x, problem.source_sparse, problem.target_sparse,
-                                   problem.c_sparse) for x in particles]
+    wanted = [
+        oracles.alpha_sparse(x, problem.source_sparse, problem.target_sparse, problem.c_sparse)
+        for x in particles
+    ]
     # Points are float32 near 1: a distance is good to about 1e-6, rho to that times 1.7 / c.
     np.testing.assert_allclose(found, wanted, rtol=0, atol=len(problem.source_sparse) * 2e-5)
     assert min(wanted) < 0.5 * max(wanted)  # the particles tell good from bad
@@ -30,8 +33,10 @@ def test_sparse_stage(problem, particles):
 
 def test_dense_stage(problem, particles):
     found = problem.evaluate_alpha(particles, "dense")
-    wanted = [oracles.alpha_dense(x, problem.source_dense, problem.target_dense,
-                                  problem.c_dense) for x in particles]
+    wanted = [
+        oracles.alpha_dense(x, problem.source_dense, problem.target_dense, problem.c_dense)
+        for x in particles
+    ]
     points = len(problem.source_dense) + len(problem.target_dense)
     np.testing.assert_allclose(found, wanted, rtol=0, atol=points * 2e-5)
     assert min(wanted) < 0.7 * max(wanted)
@@ -47,5 +52,7 @@ def test_nothing_near_costs_one_a_point(problem):
 def test_every_neighbour_search_gives_the_same_bits(pair, problem, particles, neighbors):
     other = pyemtr.Problem(pair.source, pair.target, neighbors=neighbors, threads=2)
     for stage in ("sparse", "dense"):
-        assert (other.evaluate_alpha(particles, stage).tobytes()
-                == problem.evaluate_alpha(particles, stage).tobytes())
+        assert (
+            other.evaluate_alpha(particles, stage).tobytes()
+            == problem.evaluate_alpha(particles, stage).tobytes()
+        )

@@ -2,8 +2,9 @@
 
 import numpy as np
 import oracles
-import pyemtr
 import pytest
+
+import pyemtr
 
 
 @pytest.fixture(scope="module")
@@ -21,8 +22,9 @@ def check(problem, angles):
     eta = problem.settings["outlier_penalty"] * problem.tau
     for value, turn in zip(found, angles):
         residuals = oracles.beta_residuals(turn, problem.tim_source, problem.tim_target)
-        wanted = oracles.beta(turn, problem.tim_source, problem.tim_target, problem.tims_pruned,
-                              threshold, eta)
+        wanted = oracles.beta(
+            turn, problem.tim_source, problem.tim_target, problem.tims_pruned, threshold, eta
+        )
         # float32 may take a TIM on the very edge for the other kind; each costs eta at most.
         on_edge = np.count_nonzero(np.abs(residuals - threshold) < 2e-6)
         assert value == pytest.approx(wanted, rel=1e-6, abs=1e-5 + on_edge * eta)
@@ -42,6 +44,13 @@ def test_the_truth_is_best(problem, pair):
 
 
 def test_with_another_threshold_and_penalty(pair, angles):
-    other = pyemtr.Problem(pair.source, pair.target, inlier_threshold=2.0, outlier_penalty=7.0,
-                           tau_factor=0.8, max_tims=3000, threads=2)
+    other = pyemtr.Problem(
+        pair.source,
+        pair.target,
+        inlier_threshold=2.0,
+        outlier_penalty=7.0,
+        tau_factor=0.8,
+        max_tims=3000,
+        threads=2,
+    )
     check(other, angles)

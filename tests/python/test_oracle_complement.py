@@ -2,22 +2,33 @@
 
 import numpy as np
 import oracles
-import pyemtr
 import pytest
+
+import pyemtr
 
 
 def expected(problem, angles):
     used = problem.settings
-    return oracles.complement(angles, problem.source_sparse, problem.target_sparse,
-                              used["complement_scale_start"], used["complement_scale_end"],
-                              used["complement_iterations"])
+    return oracles.complement(
+        angles,
+        problem.source_sparse,
+        problem.target_sparse,
+        used["complement_scale_start"],
+        used["complement_scale_end"],
+        used["complement_iterations"],
+    )
 
 
 def test_near_the_truth_and_anywhere(problem, pair):
     rng = np.random.default_rng(6)
     truth = problem.to_particle(pair.truth)
-    turns = np.vstack([truth[:3], truth[:3] + rng.normal(scale=0.05, size=(4, 3)),
-                       rng.uniform(-np.pi, np.pi, (6, 3))])
+    turns = np.vstack(
+        [
+            truth[:3],
+            truth[:3] + rng.normal(scale=0.05, size=(4, 3)),
+            rng.uniform(-np.pi, np.pi, (6, 3)),
+        ]
+    )
     for angles in turns:
         found = problem.complement(angles)
         # A near tie between two neighbours may fall either way in float32 and moves the mean
@@ -30,8 +41,14 @@ def test_near_the_truth_and_anywhere(problem, pair):
 
 @pytest.mark.parametrize("iterations", [1, 2, 7])
 def test_other_schedules(pair, iterations):
-    other = pyemtr.Problem(pair.source, pair.target, complement_iterations=iterations,
-                           complement_scale_start=0.4, complement_scale_end=0.2, threads=2)
+    other = pyemtr.Problem(
+        pair.source,
+        pair.target,
+        complement_iterations=iterations,
+        complement_scale_start=0.4,
+        complement_scale_end=0.2,
+        threads=2,
+    )
     angles = other.to_particle(pair.truth)[:3] + 0.03
     np.testing.assert_allclose(other.complement(angles), expected(other, angles), atol=2e-4)
 

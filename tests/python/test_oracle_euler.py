@@ -11,8 +11,9 @@ shift = st.floats(-2, 2)
 
 
 def expected(problem, particle):
-    return oracles.transformation(particle, problem.scale, problem.center_source,
-                                  problem.center_target)
+    return oracles.transformation(
+        particle, problem.scale, problem.center_source, problem.center_target
+    )
 
 
 @settings(max_examples=200, deadline=None)
@@ -52,14 +53,17 @@ def test_the_identity_in_the_user_frame_is_not_zero_translation(problem):
     np.testing.assert_allclose(particle, [0, 0, 0, *gap], atol=1e-12)
 
 
-@pytest.mark.parametrize("spoil", [
-    lambda t: np.diag([1.0, 1, -1, 1]),         # a mirror
-    lambda t: np.diag([2.0, 2, 2, 1]),          # a scale
-    lambda t: np.ones((4, 4)),
-    lambda t: np.full((4, 4), np.nan),
-    lambda t: t[:3],
-    lambda t: t.reshape(16),
-])
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda t: np.diag([1.0, 1, -1, 1]),  # a mirror
+        lambda t: np.diag([2.0, 2, 2, 1]),  # a scale
+        lambda t: np.ones((4, 4)),
+        lambda t: np.full((4, 4), np.nan),
+        lambda t: t[:3],
+        lambda t: t.reshape(16),
+    ],
+)
 def test_what_is_not_rigid_is_refused(problem, spoil):
     with pytest.raises(ValueError):
         problem.to_particle(spoil(np.eye(4)))

@@ -1,9 +1,9 @@
 """Normals and correspondences against brute force; the descriptors themselves are PCL's."""
 
 import numpy as np
-import oracles
-import pyemtr
 import pytest
+
+import pyemtr
 
 
 def feature_distances(problem):
@@ -26,8 +26,9 @@ def mutual(distances):
 
 @pytest.mark.parametrize("preset, most", [("paper", 5000), ("paper", 45), ("default", 500)])
 def test_correspondences_are_mutual_nearest(pair, preset, most):
-    problem = pyemtr.Problem(pair.source, pair.target, preset=preset, max_correspondences=most,
-                             threads=2)
+    problem = pyemtr.Problem(
+        pair.source, pair.target, preset=preset, max_correspondences=most, threads=2
+    )
     distances = feature_distances(problem)
     rows = problem.correspondences
     count = len(rows)

@@ -10,8 +10,10 @@ def test_centres_and_one_scale(problem, pair):
     centres = pair.source.mean(axis=0), pair.target.mean(axis=0)
     np.testing.assert_allclose(problem.center_source, centres[0], atol=1e-12)
     np.testing.assert_allclose(problem.center_target, centres[1], atol=1e-12)
-    radii = [np.linalg.norm(cloud - centre, axis=1).max()
-             for cloud, centre in zip((pair.source, pair.target), centres)]
+    radii = [
+        np.linalg.norm(cloud - centre, axis=1).max()
+        for cloud, centre in zip((pair.source, pair.target), centres)
+    ]
     assert problem.scale == pytest.approx(max(radii), rel=1e-12)
 
 
@@ -70,8 +72,10 @@ def test_tims_are_all_pairs_of_the_best_but_the_hopeless(request, preset):
     assert problem.tims_pruned + len(problem.tim_source) == problem.tims
 
     every = np.hstack([p[k] - p[j], q[k] - q[j]])  # float32, as the arrays are
-    gap = np.abs(np.linalg.norm(every[:, :3].astype(float), axis=1)
-                 - np.linalg.norm(every[:, 3:].astype(float), axis=1))
+    gap = np.abs(
+        np.linalg.norm(every[:, :3].astype(float), axis=1)
+        - np.linalg.norm(every[:, 3:].astype(float), axis=1)
+    )
     threshold = problem.settings["inlier_threshold"] * problem.tau
     kept = {row.tobytes() for row in np.hstack([problem.tim_source, problem.tim_target])}
     for row, distance in zip(every, gap):

@@ -6,12 +6,11 @@ import math
 import accuracy_fakes
 import numpy as np
 import pytest
-from peers_fakes import FakeMethod
-
 from emtr_bench import pairs, protocol, records
 from emtr_bench.peers import methods, output, runs, summary, tables, units, voxel
 from emtr_bench.peers.runs import Options, PeerRun
 from emtr_bench.peers.summary import Quartiles
+from peers_fakes import FakeMethod
 
 OPTIONS = Options(transforms=3, threads=1, limit=20.0, seed=0, voxel_points=30)
 

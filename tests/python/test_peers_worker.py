@@ -5,10 +5,9 @@ import time
 
 import numpy as np
 import pytest
-from peers_fakes import FakeMethod, ThreadCounter
-
 from emtr_bench.peers.methods import Task
 from emtr_bench.peers.worker import Worker
+from peers_fakes import FakeMethod, ThreadCounter
 
 CLOUD = np.random.default_rng(3).normal(size=(60, 3))
 

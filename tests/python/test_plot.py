@@ -13,11 +13,11 @@ import pytest
 pytest.importorskip("matplotlib")
 pytest.importorskip("scipy")
 
-from matplotlib import image  # noqa: E402
+from matplotlib import image
 
-from pyemtr import plot  # noqa: E402
-from pyemtr.camera import Camera, best_view  # noqa: E402
-from pyemtr.plot import plot_alignment  # noqa: E402
+from pyemtr import plot
+from pyemtr.camera import Camera, best_view
+from pyemtr.plot import plot_alignment
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -127,30 +127,39 @@ def test_tiny_clouds_are_drawn(tmp_path: Path, count: int) -> None:
     assert image.imread(tmp_path / "a.png").min() < 0.9
 
 
-@pytest.mark.parametrize("suffix, head", [(".png", b"\x89PNG"), (".pdf", b"%PDF"), ("", b"\x89PNG")])
+@pytest.mark.parametrize(
+    "suffix, head", [(".png", b"\x89PNG"), (".pdf", b"%PDF"), ("", b"\x89PNG")]
+)
 def test_the_suffix_chooses_the_format(tmp_path: Path, suffix: str, head: bytes) -> None:
     path = tmp_path / f"picture{suffix}"
     plot_alignment(shell(50), shell(60), np.eye(4), path, dpi=30)
     assert path.read_bytes().startswith(head)
 
 
-@pytest.mark.parametrize("change, message", [
-    ({"source": np.zeros((3, 50))}, "source"),
-    ({"target": np.full((5, 3), np.nan)}, "target"),
-    ({"transformation": np.eye(3)}, "transformation"),
-    ({"transformation": np.full((4, 4), np.nan)}, "transformation"),
-    ({"up": (0, 0, 0)}, "up"),
-    ({"view": (1, 2)}, "view"),
-    ({"max_points": 0}, "max_points"),
-    ({"dpi": 0}, "dpi"),
-    ({"path": "picture.nonsense"}, "nonsense"),
-])
+@pytest.mark.parametrize(
+    "change, message",
+    [
+        ({"source": np.zeros((3, 50))}, "source"),
+        ({"target": np.full((5, 3), np.nan)}, "target"),
+        ({"transformation": np.eye(3)}, "transformation"),
+        ({"transformation": np.full((4, 4), np.nan)}, "transformation"),
+        ({"up": (0, 0, 0)}, "up"),
+        ({"view": (1, 2)}, "view"),
+        ({"max_points": 0}, "max_points"),
+        ({"dpi": 0}, "dpi"),
+        ({"path": "picture.nonsense"}, "nonsense"),
+    ],
+)
 def test_bad_arguments_are_named_and_leave_no_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, change: dict, message: str
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    arguments = {"source": shell(50), "target": shell(60), "transformation": np.eye(4),
-                 "path": "a.png"} | change
+    arguments = {
+        "source": shell(50),
+        "target": shell(60),
+        "transformation": np.eye(4),
+        "path": "a.png",
+    } | change
     with pytest.raises(ValueError, match=message):
         plot_alignment(**arguments)
     assert not list(tmp_path.iterdir())
@@ -197,8 +206,14 @@ figure = pyemtr.plot.plot_alignment(points, points, np.eye(4), dpi=30)
 from matplotlib import pyplot
 assert pyplot.get_fignums() == [figure.number]
 """
-    done = subprocess.run([sys.executable, "-c", script, str(tmp_path / "a.png")],
-                          capture_output=True, text=True, cwd=tmp_path, timeout=120)
+    done = subprocess.run(
+        [sys.executable, "-c", script, str(tmp_path / "a.png")],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        timeout=120,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
 
 
@@ -213,8 +228,9 @@ def test_a_camera_is_a_rotation_and_keeps_up_upright() -> None:
 @pytest.mark.parametrize("degrees", [0, 75, 160, 290])
 def test_a_shell_is_looked_at_from_outside(degrees: float) -> None:
     turn = np.radians(degrees)
-    rotation = np.array([[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0],
-                         [0, 0, 1]])
+    rotation = np.array(
+        [[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1]]
+    )
     camera = best_view(shell() @ rotation.T, UP, gap=0.2)
     outside = rotation @ [0, -1, 0]
     assert camera.axes[2] @ outside > 0.6

@@ -3,10 +3,11 @@
 import json
 
 import numpy as np
-import pyemtr
 import pytest
 import shapes
 from shapes import bits
+
+import pyemtr
 
 QUICK = {"iterations": 6, "threads": 2}
 
@@ -17,8 +18,9 @@ def solved(pair):
 
 
 @pytest.mark.parametrize("preset", pyemtr.presets())
-@pytest.mark.parametrize("seed, scale, offset", [(1, 1, 0), (2, 1000, 0), (3, 0.01, 0),
-                                                 (4, 50, 4.5e6)])
+@pytest.mark.parametrize(
+    "seed, scale, offset", [(1, 1, 0), (2, 1000, 0), (3, 0.01, 0), (4, 50, 4.5e6)]
+)
 def test_recovers_the_transformation_in_any_unit(preset, seed, scale, offset):
     pair = shapes.make_pair(seed, scale=scale, offset=offset)
     result = pyemtr.register(pair.source, pair.target, preset=preset, threads=2)
@@ -41,8 +43,10 @@ def test_unrelated_clouds_are_not_called_registered(pair):
 @pytest.mark.parametrize("preset", pyemtr.presets())
 def test_same_seed_same_bits_for_any_threads_and_both_ways(pair, preset):
     quick = {"seed": 9, "preset": preset, "iterations": 25}
-    results = [pyemtr.register(pair.source, pair.target, threads=threads, **quick)
-               for threads in (1, 1, 2, 4, 8)]
+    results = [
+        pyemtr.register(pair.source, pair.target, threads=threads, **quick)
+        for threads in (1, 1, 2, 4, 8)
+    ]
     assert len({bits(result) for result in results}) == 1
     assert [result.threads for result in results] == [1, 1, 2, 4, 8]
     problem = pyemtr.Problem(pair.source, pair.target, threads=2, **quick)
@@ -54,8 +58,10 @@ def test_each_seed_is_its_own(pair):
     # The swarm alone, for its seeds and the polish lead all to one pose. The last two differ only
     # beyond what a double can hold.
     seeds = [0, 1, 2**53, 2**53 + 1, 2**64 - 2, 2**64 - 1, np.uint64(5)]
-    results = [pyemtr.register(pair.source, pair.target, seed=seed, preset="paper", **QUICK)
-               for seed in seeds]
+    results = [
+        pyemtr.register(pair.source, pair.target, seed=seed, preset="paper", **QUICK)
+        for seed in seeds
+    ]
     assert [result.seed for result in results] == [int(seed) for seed in seeds]
     assert len({bits(result) for result in results}) == len(seeds)
 
@@ -82,8 +88,9 @@ def test_points_that_are_not_finite_are_dropped_and_counted(pair):
 
 @pytest.mark.parametrize("preset", pyemtr.presets())
 def test_a_true_guess_is_found_at_once(pair, preset):
-    result = pyemtr.register(pair.source, pair.target, guess=pair.truth, iterations=1,
-                             preset=preset, threads=2)
+    result = pyemtr.register(
+        pair.source, pair.target, guess=pair.truth, iterations=1, preset=preset, threads=2
+    )
     assert shapes.rotation_error(result.transformation, pair.truth) < 3
 
 
@@ -91,7 +98,8 @@ def test_the_fields_say_what_happened(pair, solved):
     assert solved.settings["seed"] == solved.seed == 0
     assert solved.dense_source + solved.dense_target == pytest.approx(9000, rel=0.05)
     assert sum(seconds for stage, seconds in solved.timings.items() if stage != "total") == (
-        pytest.approx(solved.timings["total"]))
+        pytest.approx(solved.timings["total"])
+    )
     assert all(seconds > 0 for stage, seconds in solved.timings.items() if stage != "escalation")
     assert 0 <= solved.fitness <= 1 and 0 < solved.inlier_ratio_source <= 1
     np.testing.assert_allclose(solved.center_source, pair.source.mean(axis=0), atol=1e-12)
@@ -109,26 +117,40 @@ def test_the_paper_preset_keeps_to_the_paper(pair):
 
 
 def test_the_settings_repeat_the_run(pair):
-    first = pyemtr.register(pair.source, pair.target, seed=2**64 - 3, guess=pair.truth,
-                            transfer=False, neighbors="brute", dense_points=2000,
-                            source_viewpoint=[4, 3, 2.5], target_viewpoint=(1, 2, 3),
-                            escalation="always", escalation_points=3000, **QUICK)
+    first = pyemtr.register(
+        pair.source,
+        pair.target,
+        seed=2**64 - 3,
+        guess=pair.truth,
+        transfer=False,
+        neighbors="brute",
+        dense_points=2000,
+        source_viewpoint=[4, 3, 2.5],
+        target_viewpoint=(1, 2, 3),
+        escalation="always",
+        escalation_points=3000,
+        **QUICK,
+    )
     assert first.settings["transfer"] is False and first.settings["neighbors"] == "brute"
     second = pyemtr.register(pair.source, pair.target, **first.settings)
     assert bits(first) == bits(second) and first.settings == second.settings
 
 
 def test_apply_moves_source_into_target(pair, solved):
-    np.testing.assert_allclose(solved.apply(pair.source.astype(np.float32)),
-                               shapes.apply(solved.transformation, pair.source), atol=1e-6)
-    with pytest.raises(ValueError, match="points: .*transpose"):
+    np.testing.assert_allclose(
+        solved.apply(pair.source.astype(np.float32)),
+        shapes.apply(solved.transformation, pair.source),
+        atol=1e-6,
+    )
+    with pytest.raises(ValueError, match=r"points: .*transpose"):
         solved.apply(pair.source.T)
 
 
 def test_it_can_be_written_down(solved):
     assert json.loads(json.dumps(solved.to_dict(), allow_nan=False)) == solved.to_dict()
-    stopped = pyemtr.register(shapes.make_pair(1).source, shapes.make_pair(1).target,
-                              callback=lambda progress: True)
+    stopped = pyemtr.register(
+        shapes.make_pair(1).source, shapes.make_pair(1).target, callback=lambda progress: True
+    )
     assert json.loads(json.dumps(stopped.to_dict(), allow_nan=False))["fitness"] is None
     text = repr(solved)
     assert "registered" in text and "source into target" in text and "seed 0" in text

@@ -8,14 +8,13 @@ from pathlib import Path
 import accuracy_fakes
 import pytest
 from accuracy_fakes import FakeEngine
-from peers_fakes import FakeMethod
-
 from emtr_bench import accuracy, pairs, records
 from emtr_bench.document import program, running
 from emtr_bench.document.page import page
 from emtr_bench.document.parts import NAMES, Part, all_parts
 from emtr_bench.locations import REPOSITORY
 from emtr_bench.peers import output, runs
+from peers_fakes import FakeMethod
 
 MACHINE = {"date": "today", "revision": "abc", "load average": "0.1", "cpu": "a fine one"}
 QUARTILES = {"low": 0.01, "median": 0.02, "high": 0.03}

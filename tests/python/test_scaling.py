@@ -17,15 +17,25 @@ SCRIPT = REPOSITORY / "tools" / "bench" / "scaling"
 
 
 def row(points, seconds, memory=1.5, registered=True):
-    return {"points": points, "seconds": seconds, "seconds_kept": seconds / 2, "E_R": 0.5,
-            "input_bytes": 24 * points, "peak_bytes": memory * 24 * points,
-            "bytes_before": 24 * points, "registered": registered, "dense": 4000, "sparse": 600,
-            "stages": {stage: seconds / 6 for stage in scaling.STAGES}}
+    return {
+        "points": points,
+        "seconds": seconds,
+        "seconds_kept": seconds / 2,
+        "E_R": 0.5,
+        "input_bytes": 24 * points,
+        "peak_bytes": memory * 24 * points,
+        "bytes_before": 24 * points,
+        "registered": registered,
+        "dense": 4000,
+        "sparse": 600,
+        "stages": dict.fromkeys(scaling.STAGES, seconds / 6),
+    }
 
 
 def run(*argv):
-    return subprocess.run([sys.executable, str(SCRIPT), *argv], capture_output=True, text=True,
-                          check=False)
+    return subprocess.run(
+        [sys.executable, str(SCRIPT), *argv], capture_output=True, text=True, check=False
+    )
 
 
 def test_the_slope_is_the_exponent_of_the_large_sizes():
@@ -39,10 +49,13 @@ def test_each_missed_target_is_named():
     good = [row(10**5, 0.2), row(10**7, 3.9, memory=2.9)]
     assert scaling.targets_missed(good, 1.05) == []
     for bad, exponent, text in [
-            ([good[0]], 1.0, "not measured"), ([row(10**7, 4.1)], 1.0, "4.10 s > 4 s"),
-            ([row(10**7, 1, memory=3.0)], 1.0, "memory 3.00"), (good, 1.06, "slope 1.06"),
-            (good, math.nan, "slope nan"),
-            ([row(10**5, 1, registered=False), good[1]], 1.0, "100000 points: not registered")]:
+        ([good[0]], 1.0, "not measured"),
+        ([row(10**7, 4.1)], 1.0, "4.10 s > 4 s"),
+        ([row(10**7, 1, memory=3.0)], 1.0, "memory 3.00"),
+        (good, 1.06, "slope 1.06"),
+        (good, math.nan, "slope nan"),
+        ([row(10**5, 1, registered=False), good[1]], 1.0, "100000 points: not registered"),
+    ]:
         missed = scaling.targets_missed(bad, exponent)
         assert len(missed) == 1 and text in missed[0], missed
 
@@ -62,8 +75,15 @@ def test_the_ball_is_one_surface_in_two_frames():
 
 
 def test_the_smoke_run_tells_and_writes_all(tmp_path):
-    done = run("--smoke", "--threads", "1", "--json", str(tmp_path / "s.json"),
-               "--plot", str(tmp_path / "s.png"))
+    done = run(
+        "--smoke",
+        "--threads",
+        "1",
+        "--json",
+        str(tmp_path / "s.json"),
+        "--plot",
+        str(tmp_path / "s.png"),
+    )
     assert done.returncode == 0, done.stderr
     value = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
     assert [size["points"] for size in value["sizes"]] == list(scaling.SMOKE_SIZES)

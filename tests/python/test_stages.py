@@ -4,13 +4,21 @@ import gc
 import threading
 
 import numpy as np
-import pyemtr
 import pytest
 from scipy.optimize import minimize
 
+import pyemtr
+
 CLOUDS = ["source_sparse", "target_sparse", "source_dense", "target_dense"]
-ARRAYS = CLOUDS + ["source_normals", "target_normals", "source_features", "target_features",
-                   "correspondences", "tim_source", "tim_target"]
+ARRAYS = CLOUDS + [
+    "source_normals",
+    "target_normals",
+    "source_features",
+    "target_features",
+    "correspondences",
+    "tim_source",
+    "tim_target",
+]
 
 
 @pytest.mark.parametrize("name", ARRAYS)
@@ -48,12 +56,20 @@ def test_shapes_belong_together(problem):
 
 
 def test_without_any_match_the_arrays_are_empty_but_whole(pair):
-    other = pyemtr.Problem(pair.source, pair.target, tau_factor=0.001, inlier_threshold=0.001,
-                           max_tims=3, max_correspondences=3, threads=2)
+    other = pyemtr.Problem(
+        pair.source,
+        pair.target,
+        tau_factor=0.001,
+        inlier_threshold=0.001,
+        max_tims=3,
+        max_correspondences=3,
+        threads=2,
+    )
     assert other.tims == 3 and len(other.correspondences) == 3
     assert other.tim_source.shape == (other.tims - other.tims_pruned, 3)
     assert other.evaluate_beta([[0, 0, 0]]) == pytest.approx(
-        3 * other.settings["outlier_penalty"] * other.tau, rel=0.9)
+        3 * other.settings["outlier_penalty"] * other.tau, rel=0.9
+    )
 
 
 @pytest.mark.parametrize("stage", ["sparse", "dense"])
@@ -73,18 +89,27 @@ def test_a_task_makes_its_own_problem(pair, problem):
     alpha = pyemtr.TaskAlpha(pair.source, pair.target, stage="sparse", threads=1)
     beta = pyemtr.TaskBeta(pair.source, pair.target, threads=1)
     particles = np.random.default_rng(2).uniform(-1, 1, (9, 6))
-    assert (alpha.evaluate(particles).tobytes()
-            == problem.evaluate_alpha(particles, "sparse").tobytes())
-    assert (beta.evaluate(particles[:, :3]).tobytes()
-            == problem.evaluate_beta(particles[:, :3]).tobytes())
+    assert (
+        alpha.evaluate(particles).tobytes() == problem.evaluate_alpha(particles, "sparse").tobytes()
+    )
+    assert (
+        beta.evaluate(particles[:, :3]).tobytes()
+        == problem.evaluate_beta(particles[:, :3]).tobytes()
+    )
     assert alpha.problem.settings["threads"] == 1
     np.testing.assert_array_equal(alpha.bounds[3:], [[-1.2, 1.2]] * 3)
     np.testing.assert_array_equal(beta.bounds, alpha.bounds[:3])
 
 
 def test_the_settings_reach_the_problem(pair):
-    other = pyemtr.Problem(pair.source, pair.target, dense_points=1000, sparse_points=200,
-                           seed=2**64 - 1, translation_bound=0.7)
+    other = pyemtr.Problem(
+        pair.source,
+        pair.target,
+        dense_points=1000,
+        sparse_points=200,
+        seed=2**64 - 1,
+        translation_bound=0.7,
+    )
     assert len(other.source_dense) + len(other.target_dense) == pytest.approx(1000, rel=0.05)
     assert other.settings["seed"] == 2**64 - 1
     assert pyemtr.TaskAlpha(other).bounds[3].tolist() == [-0.7, 0.7]
@@ -107,8 +132,9 @@ def test_another_optimiser_can_drive_alpha(problem, pair):
     task = pyemtr.TaskAlpha(problem)
     truth = problem.to_particle(pair.truth)
     start = truth + [0.03, -0.02, 0.03, 0.01, 0.01, -0.01]
-    found = minimize(lambda x: task.evaluate(x[None])[0], start, method="Nelder-Mead",
-                     options={"maxiter": 200})
+    found = minimize(
+        lambda x: task.evaluate(x[None])[0], start, method="Nelder-Mead", options={"maxiter": 200}
+    )
     assert found.fun < task.evaluate(start[None])[0]
     assert np.abs(found.x - truth).max() < np.abs(start - truth).max()
 
@@ -117,9 +143,10 @@ def test_threads_share_a_problem_one_after_another(problem):
     particles = np.random.default_rng(8).uniform(-1, 1, (60, 6))
     wanted = problem.evaluate_alpha(particles).tobytes()
     found = []
-    workers = [threading.Thread(
-        target=lambda: found.append(problem.evaluate_alpha(particles).tobytes()))
-        for _ in range(8)]
+    workers = [
+        threading.Thread(target=lambda: found.append(problem.evaluate_alpha(particles).tobytes()))
+        for _ in range(8)
+    ]
     for worker in workers:
         worker.start()
     for worker in workers:
@@ -127,15 +154,20 @@ def test_threads_share_a_problem_one_after_another(problem):
     assert found == [wanted] * 8
 
 
-@pytest.mark.parametrize("particles, error, text", [
-    (np.zeros(6), ValueError, r"\(P, 6\), got \(6,\)"),
-    (np.zeros((4, 3)), ValueError, r"\(P, 6\), got \(4, 3\)"),
-    (np.zeros((6, 4)), ValueError, r"got \(6, 4\)"),
-    (np.full((2, 6), np.nan), ValueError, "NaN"),
-    (np.full((2, 6), np.inf), ValueError, "NaN or infinity"),
-    (np.zeros((2, 6), bool), TypeError, "bool"),
-    (np.zeros((2, 6), complex), TypeError, "complex"),
-    (None, TypeError, "NoneType"), ("particles", TypeError, "str")])
+@pytest.mark.parametrize(
+    "particles, error, text",
+    [
+        (np.zeros(6), ValueError, r"\(P, 6\), got \(6,\)"),
+        (np.zeros((4, 3)), ValueError, r"\(P, 6\), got \(4, 3\)"),
+        (np.zeros((6, 4)), ValueError, r"got \(6, 4\)"),
+        (np.full((2, 6), np.nan), ValueError, "NaN"),
+        (np.full((2, 6), np.inf), ValueError, "NaN or infinity"),
+        (np.zeros((2, 6), bool), TypeError, "bool"),
+        (np.zeros((2, 6), complex), TypeError, "complex"),
+        (None, TypeError, "NoneType"),
+        ("particles", TypeError, "str"),
+    ],
+)
 def test_bad_particles_are_refused(problem, particles, error, text):
     with pytest.raises(error, match=f"particles.*{text}"):
         pyemtr.TaskAlpha(problem).evaluate(particles)

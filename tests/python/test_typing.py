@@ -6,9 +6,10 @@ import sys
 import sysconfig
 from pathlib import Path
 
-import pyemtr
 import pytest
 from children import environment
+
+import pyemtr
 
 pytest.importorskip("mypy")
 HERE = Path(__file__).resolve().parent
@@ -21,14 +22,27 @@ def mypy(folder, *arguments, module="mypy"):
     home = Path(pyemtr.__file__).parent.parent
     if home != Path(sysconfig.get_path("purelib")):  # mypy finds installed packages itself
         variables["MYPYPATH"] = str(home)
-    return subprocess.run([sys.executable, "-m", module, *arguments], env=variables, text=True,
-                          cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          check=False)
+    return subprocess.run(
+        [sys.executable, "-m", module, *arguments],
+        env=variables,
+        text=True,
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
 
 
 def strict(folder, *arguments):
-    return mypy(folder, "--strict", "--config-file", os.devnull, "--cache-dir",
-                str(folder / "cache"), *arguments)
+    return mypy(
+        folder,
+        "--strict",
+        "--config-file",
+        os.devnull,
+        "--cache-dir",
+        str(folder / "cache"),
+        *arguments,
+    )
 
 
 def test_a_typed_program_passes(tmp_path):
@@ -37,9 +51,22 @@ def test_a_typed_program_passes(tmp_path):
 
 
 def test_the_package_itself_passes(tmp_path):
-    modules = [f"pyemtr.{name}" for name in ("alternative", "arrays", "cloud", "options", "problem",
-                                             "progress", "views", "registration", "result",
-                                             "tasks", "_emtr")]
+    modules = [
+        f"pyemtr.{name}"
+        for name in (
+            "alternative",
+            "arrays",
+            "cloud",
+            "options",
+            "problem",
+            "progress",
+            "views",
+            "registration",
+            "result",
+            "tasks",
+            "_emtr",
+        )
+    ]
     done = strict(tmp_path, "-m", "pyemtr", *[part for name in modules for part in ("-m", name)])
     assert done.returncode == 0, done.stdout
 
@@ -63,8 +90,10 @@ MISUSE = [
 
 def test_each_misuse_is_found(tmp_path):
     source = tmp_path / "misuse.py"
-    source.write_text("import numpy as np\nimport pyemtr\na = np.zeros((9, 3))\n"
-                      + "\n".join(MISUSE) + "\n", encoding="utf-8")
+    source.write_text(
+        "import numpy as np\nimport pyemtr\na = np.zeros((9, 3))\n" + "\n".join(MISUSE) + "\n",
+        encoding="utf-8",
+    )
     done = strict(tmp_path, str(source))
     found = {int(line.split(":")[1]) for line in done.stdout.splitlines() if ": error:" in line}
     assert found == set(range(4, 4 + len(MISUSE))), done.stdout
@@ -74,9 +103,24 @@ def test_the_stub_is_true_to_the_extension(tmp_path):
     allowed = tmp_path / "allowed"
     # What Cython adds, what only the extension itself uses, and the buffer protocol, which has
     # a name in Python from 3.12 on.
-    names = ["__reduce_cython__", "__setstate_cython__", "__test__", "ARRAYS", "REASONS",
-             "SETTING_TYPES", "CloudBuffer", "Watch", r"ArrayView\.__buffer__"]
+    names = [
+        "__reduce_cython__",
+        "__setstate_cython__",
+        "__test__",
+        "ARRAYS",
+        "REASONS",
+        "SETTING_TYPES",
+        "CloudBuffer",
+        "Watch",
+        r"ArrayView\.__buffer__",
+    ]
     allowed.write_text("\n".join(rf"pyemtr\._emtr\.{name}" for name in names), encoding="utf-8")
-    done = mypy(tmp_path, "pyemtr._emtr", "--allowlist", str(allowed),
-                "--ignore-unused-allowlist", module="mypy.stubtest")
+    done = mypy(
+        tmp_path,
+        "pyemtr._emtr",
+        "--allowlist",
+        str(allowed),
+        "--ignore-unused-allowlist",
+        module="mypy.stubtest",
+    )
     assert done.returncode == 0, done.stdout

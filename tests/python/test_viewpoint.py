@@ -1,10 +1,11 @@
 """Where the sensors stood: given in each cloud's own frame and unit, kept, and made use of."""
 
 import numpy as np
-import pyemtr
 import pytest
 import shapes
 from shapes import bits
+
+import pyemtr
 
 ALWAYS = {"threads": 2, "escalation": "always", "escalation_points": 8000}
 
@@ -23,8 +24,9 @@ def scans():
 
 
 def run(clouds, sensors, **settings):
-    return pyemtr.register(*clouds, source_viewpoint=sensors[0], target_viewpoint=sensors[1],
-                           **{**ALWAYS, **settings})
+    return pyemtr.register(
+        *clouds, source_viewpoint=sensors[0], target_viewpoint=sensors[1], **{**ALWAYS, **settings}
+    )
 
 
 def test_they_are_kept_among_the_settings(scans):
@@ -33,8 +35,9 @@ def test_they_are_kept_among_the_settings(scans):
     assert found.settings["source_viewpoint"] == sensors[0].tolist()
     assert found.settings["target_viewpoint"] == sensors[1].tolist()
     assert bits(pyemtr.register(*clouds, **found.settings)) == bits(found)
-    problem = pyemtr.Problem(*clouds, source_viewpoint=sensors[0], target_viewpoint=sensors[1],
-                             **ALWAYS)
+    problem = pyemtr.Problem(
+        *clouds, source_viewpoint=sensors[0], target_viewpoint=sensors[1], **ALWAYS
+    )
     assert bits(problem.solve()) == bits(found)
     assert problem.settings == found.settings
     one = pyemtr.register(*clouds, target_viewpoint=sensors[1], **ALWAYS).settings

@@ -14,8 +14,16 @@ def watch(progress: pyemtr.Progress) -> bool:
 
 
 def one_call(source: NDArray[np.float32], target: NDArray[np.float64]) -> NDArray[np.float64]:
-    result: pyemtr.Result = pyemtr.register(source, target, seed=1, threads=2, callback=watch,
-                                            iterations=20, transfer=False, neighbors="grid")
+    result: pyemtr.Result = pyemtr.register(
+        source,
+        target,
+        seed=1,
+        threads=2,
+        callback=watch,
+        iterations=20,
+        transfer=False,
+        neighbors="grid",
+    )
     cost: int = result.lookups["evaluation"] + result.lookups["switch"]
     seconds: float = result.timings["total"]
     best: NDArray[np.float64] = result.history["alpha"]
@@ -24,12 +32,24 @@ def one_call(source: NDArray[np.float32], target: NDArray[np.float64]) -> NDArra
 
 
 def how_sure(source: NDArray[np.float32], target: NDArray[np.float32]) -> list[float]:
-    result = pyemtr.register(source, target, preset="thorough", source_viewpoint=(0, 0, 1.5),
-                             target_viewpoint=np.zeros(3))
+    result = pyemtr.register(
+        source,
+        target,
+        preset="thorough",
+        source_viewpoint=(0, 0, 1.5),
+        target_viewpoint=np.zeros(3),
+    )
     deviation: NDArray[np.float64] = np.sqrt(np.diag(np.linalg.inv(result.information)))
     free: int = result.free_directions or 0
-    print(result.confidence > 0.9, result.seeds + result.candidates, result.escalated, free,
-          deviation.max(), result.hold.min(), result.hold_directions[:free])
+    print(
+        result.confidence > 0.9,
+        result.seeds + result.candidates,
+        result.escalated,
+        free,
+        deviation.max(),
+        result.hold.min(),
+        result.hold_directions[:free],
+    )
     others: list[pyemtr.Alternative] = result.alternatives
     for transformation, score in others:
         print(transformation.shape, result.score - score, result.score_gap)
@@ -58,6 +78,8 @@ def one_against_many(model: NDArray[np.float32], scans: list[NDArray[np.float32]
 
 
 def describe() -> str:
-    lines = [f"{name}: {setting.text} [{setting.minimum}, {setting.maximum}] {setting.default}"
-             for name, setting in pyemtr.settings().items()]
+    lines = [
+        f"{name}: {setting.text} [{setting.minimum}, {setting.maximum}] {setting.default}"
+        for name, setting in pyemtr.settings().items()
+    ]
     return "\n".join([pyemtr.__version__, *pyemtr.presets(), *lines])

@@ -85,7 +85,7 @@ def image(eye: Array, pixels: int, block: int = 6) -> tuple[Array, Array]:
 def scan(eye: Array, count: int, noise: float, rng: np.random.Generator) -> Scan:
     """Scans about `count` points from `eye` (3,), with `noise` (mm, standard deviation)."""
     rays, _ = image(eye, 96)
-    pixels = int(round(96 * np.sqrt(0.99 * count / len(rays))))
+    pixels = round(96 * np.sqrt(0.99 * count / len(rays)))
     rays, ranges = image(eye, pixels)
     surface = eye + ranges[:, None] * rays
     facing = -np.einsum("ij,ij->i", normals(surface), rays) > GRAZING

@@ -127,6 +127,7 @@ std::vector<Correspondence> match_mutual(const Features& source, const Features&
   std::sort(mutual.begin(), mutual.end());
   mutual.resize(std::min(mutual.size(), most));
   std::vector<Correspondence> out;
+  out.reserve(mutual.size());
   for (const auto& [distance, i, j] : mutual) out.push_back({i, j});
   return out;
 }

@@ -53,7 +53,8 @@ double mean_resolution(const Cloud& cloud, double leaf, const Kernels& kernels, 
   std::vector<Scratch> scratch(static_cast<std::size_t>(threads));
   std::vector<float> squared(cloud.size());
   const auto measure = [&](std::size_t cell, std::size_t thread) {
-    auto& [ranges, list] = scratch[thread];
+    std::vector<CellGrid::Range>& ranges = scratch[thread].ranges;
+    NeighborList& list = scratch[thread].list;
     std::vector<std::uint32_t> left;  // points whose nearest one may be beyond the cells seen
     for (std::uint32_t i = grid.begin(cell); i < grid.end(cell); ++i) left.push_back(i);
     for (int reach = 1; !left.empty(); reach *= 2) {

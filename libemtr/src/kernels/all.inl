@@ -1,11 +1,11 @@
 // All inner loops and their table, for the instruction set whose name EMTR_KERNEL is.
 #include "lanes.h"
 //
+#include "consensus.inl"
 #include "descriptors.inl"
 #include "matching.inl"
 #include "nearest.inl"
 #include "sums.inl"
-#include "consensus.inl"
 #include "voxels.inl"
 //
 #include "consistency.inl"

@@ -22,7 +22,7 @@ Ends make_ends(const PointsView& p, const PointsView& q, const float* R, float* 
   Ends ends = {{}, {}, {}, p.size, (p.size + kWide - 1) / kWide};
   const std::size_t padded = ends.blocks * kWide;
   const float* to[3] = {q.x, q.y, q.z};
-  for (int a = 0; a < 3; ++a) {
+  for (std::size_t a = 0; a < 3; ++a) {
     float *at = room, *low = room + padded, *high = low + ends.blocks;
     for (std::size_t i = 0; i < p.size; ++i)
       at[i] = ((R[3 * a] * p.x[i] + R[3 * a + 1] * p.y[i]) + R[3 * a + 2] * p.z[i]) - to[a][i];

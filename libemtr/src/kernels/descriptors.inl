@@ -180,7 +180,8 @@ EMTR_INLINE NativeInts pair_bins(const SurfaceView& list, std::size_t i,
   // but for rounding, which must not choose.
   const Native length = root(squared);
   const Native along = dot(normal, d), along_other = dot(other, d), cosine = dot(normal, other);
-  const NativeInts swapped = magnitude(along) + length * all<kNative>(1e-5f) < magnitude(along_other);
+  const NativeInts swapped =
+      magnitude(along) + length * all<kNative>(1e-5f) < magnitude(along_other);
   const NativeInts sign = swapped & number(-0x7fffffff - 1);
   const Vector<kNative> v = cross(d, chosen(swapped, other, normal));
   const Native v_squared = dot(v, v);
@@ -261,6 +262,7 @@ void pair_histograms(const SurfaceView& list, const SurfacePoint& query, float s
   for (const std::int32_t one : each) neighbors -= one;
   const float share = neighbors > 1 ? 100.0f / static_cast<float>(neighbors - 1) : 0.0f;
   for (std::size_t b = 0; b < kDescriptor; ++b)
+    // NOLINTNEXTLINE(bugprone-integer-division): an index
     out[b] = static_cast<float>(count[b / kBins][b % kBins]) * share;
   for (std::size_t b = kDescriptor; b < kDescriptorRow; ++b) out[b] = 0;
 }

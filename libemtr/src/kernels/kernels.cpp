@@ -39,7 +39,7 @@ bool can_run(const Kernels& kernels) {
 
 const Kernels& select_kernels() {
   const char* wanted = std::getenv("EMTR_KERNEL");
-  const Kernels* best = nullptr;
+  const Kernels* best = &k_generic;
   std::string here;
   for (const Kernels* kernels : kAll) {
     if (!can_run(*kernels)) continue;

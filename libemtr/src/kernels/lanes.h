@@ -19,11 +19,11 @@ namespace emtr::EMTR_KERNEL {
 template <std::size_t Width>
 struct Register;
 
-#define EMTR_DEFINE_REGISTER(width)                                   \
-  template <>                                                         \
-  struct Register<width> {                                            \
-    typedef float Float __attribute__((vector_size(4 * width)));      \
-    typedef std::int32_t Int __attribute__((vector_size(4 * width))); \
+#define EMTR_DEFINE_REGISTER(width)                                     \
+  template <>                                                           \
+  struct Register<width> {                                              \
+    typedef float Float __attribute__((vector_size(4 * (width))));      \
+    typedef std::int32_t Int __attribute__((vector_size(4 * (width)))); \
   }
 EMTR_DEFINE_REGISTER(4);
 EMTR_DEFINE_REGISTER(8);

@@ -6,9 +6,10 @@
 namespace emtr::EMTR_KERNEL {
 namespace {
 
-constexpr std::size_t kSide = 2 * EMTR_REGISTER;  // columns at once; no sum goes across them
-constexpr std::size_t kRows = 4;                  // rows at once
-constexpr std::size_t kTile = 64;  // blocks that stay in the cache while the rows pass
+constexpr std::size_t kSide =
+    std::size_t{2} * EMTR_REGISTER;  // columns at once; no sum goes across them
+constexpr std::size_t kRows = 4;     // rows at once
+constexpr std::size_t kTile = 64;    // blocks that stay in the cache while the rows pass
 using Columns = Floats<kSide>;
 
 inline void enter(const NearestLists& lists, std::size_t item, float squared, std::int32_t index) {

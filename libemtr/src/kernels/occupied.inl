@@ -46,7 +46,7 @@ EMTR_INLINE void add_occupied(const CellsView& g, const Ints<kWide>& cells, std:
   const __m512i c = (__m512i)cells.v, query = (__m512i)(lane + static_cast<std::int32_t>(first));
   const __m512i occupied = _mm512_mask_i32gather_epi32(
       _mm512_setzero_si512(), 0xffff, (__m512i)(cells.v >> 5), g.groups, sizeof(CellGroup));
-  const __mmask16 asked = static_cast<__mmask16>((1u << n) - 1);
+  const auto asked = static_cast<__mmask16>((1u << n) - 1);
   const __mmask16 set =
       _mm512_mask_test_epi32_mask(asked, occupied, (__m512i)((Int{} + 1) << (cells.v & 31)));
   _mm512_storeu_si512(found.query + found.size, _mm512_maskz_compress_epi32(set, query));

@@ -12,7 +12,7 @@ void transform(const PointsView& p, const float* R, const float* t, float* x, fl
     const Sixteen px = loaded<kWide>(p.x + i);
     const Sixteen py = loaded<kWide>(p.y + i);
     const Sixteen pz = loaded<kWide>(p.z + i);
-    for (int a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < 3; ++a)
       store<kWide, Floats>(out[a] + i,
                            ((all<kWide>(R[3 * a]) * px + all<kWide>(R[3 * a + 1]) * py) +
                             all<kWide>(R[3 * a + 2]) * pz) +
@@ -20,7 +20,7 @@ void transform(const PointsView& p, const float* R, const float* t, float* x, fl
   }
   for (; i < p.size; ++i) {
     const float px = p.x[i], py = p.y[i], pz = p.z[i];
-    for (int a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < 3; ++a)
       out[a][i] = ((R[3 * a] * px + R[3 * a + 1] * py) + R[3 * a + 2] * pz) + t[a];
   }
 }

@@ -29,7 +29,7 @@ class PlaneToPlane {
   void add(const Oriented& source, const Oriented& target, NormalEquations& sums) const {
     const double* R = pose_.R;
     double y[3], m[3], d[3];
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
       const double *row = R + 3 * k, px = source.p[0], py = source.p[1], pz = source.p[2],
                    nx = source.n[0], ny = source.n[1], nz = source.n[2];
       y[k] = row[0] * px + row[1] * py + row[2] * pz + pose_.t[k];

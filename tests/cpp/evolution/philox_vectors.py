@@ -24,8 +24,10 @@ INPUTS = [
     ((TOP, TOP), (TOP, TOP, TOP, TOP)),
     ((12345, 0), (0, 1, 0, 0)),
     ((0x0123456789ABCDEF, 0), (TOP, 0, 0, 0)),
-    ((0x452821E638D01377, 0xBE5466CF34E90C6C),
-     (0x243F6A8885A308D3, 0x13198A2E03707344, 0xA4093822299F31D0, 0x082EFA98EC4E6C89)),
+    (
+        (0x452821E638D01377, 0xBE5466CF34E90C6C),
+        (0x243F6A8885A308D3, 0x13198A2E03707344, 0xA4093822299F31D0, 0x082EFA98EC4E6C89),
+    ),
     ((2**53 + 1, 0), (3, 1, 17, 4)),
 ]
 
@@ -35,8 +37,9 @@ def block(key, counter):
     whole = sum(word << (64 * i) for i, word in enumerate(counter))
     before = (whole - 1) % 2**256
     words = [(before >> (64 * i)) & TOP for i in range(4)]
-    generator = np.random.Philox(key=np.array(key, dtype=np.uint64),
-                                 counter=np.array(words, dtype=np.uint64))
+    generator = np.random.Philox(
+        key=np.array(key, dtype=np.uint64), counter=np.array(words, dtype=np.uint64)
+    )
     return [int(word) for word in generator.random_raw(4)]
 
 

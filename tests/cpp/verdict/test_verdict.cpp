@@ -24,7 +24,8 @@ class Verdict : public testing::Test {
   }
 
   emtr::Verdict judge(const emtr::Evolution& e) const {
-    return emtr::judge(e, e.hypotheses[e.best].pose, *problem.alpha, problem.correspondences.size(), problem.settings);
+    return emtr::judge(e, e.hypotheses[e.best].pose, *problem.alpha, problem.correspondences.size(),
+                       problem.settings);
   }
 };
 

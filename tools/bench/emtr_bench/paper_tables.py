@@ -28,8 +28,12 @@ class PaperRow:
     lookups_dense: float  # millions, without sparse-to-dense
 
 
-def _row(rotation: tuple[float, float], translation: tuple[float, float],
-         lookups: float, lookups_dense: float) -> PaperRow:
+def _row(
+    rotation: tuple[float, float],
+    translation: tuple[float, float],
+    lookups: float,
+    lookups_dense: float,
+) -> PaperRow:
     return PaperRow(Spread(*rotation), Spread(*translation), lookups, lookups_dense)
 
 

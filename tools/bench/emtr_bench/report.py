@@ -178,5 +178,3 @@ def _reasons(runs: list[Run]) -> str:
 
 def _name(run: Run) -> str:
     return f"{run.pair.name}[{run.index}] seed {run.seed}"
-
-

@@ -12,6 +12,7 @@ from typing import Any, Union
 
 import numpy as np
 from numpy.typing import NDArray
+
 from pyemtr.metrics import (
     MAX_ROTATION_ERROR,
     MAX_TRANSLATION_ERROR,
@@ -155,9 +156,7 @@ def run(pair: Pair, index: int, register: Register, options: Options) -> Run:
         rotation, translation = pose_errors(case, outcome.transformation)
         among = any(right(pose_errors(case, T)) for T in outcome.alternatives)
     T_true, kind = case.motion.T_true, case.motion.kind
-    return Run(
-        pair, index, kind, seed, T_true, wall, outcome, rotation, translation, error, among
-    )
+    return Run(pair, index, kind, seed, T_true, wall, outcome, rotation, translation, error, among)
 
 
 def attempt(
@@ -168,7 +167,7 @@ def attempt(
     start = time.perf_counter()
     try:
         outcome = register(source, target, options, sensors)
-    except Exception:
+    except Exception:  # noqa: BLE001 (one failed run is a line of the report, whatever it was)
         error = traceback.format_exc()
     return outcome, error, time.perf_counter() - start
 

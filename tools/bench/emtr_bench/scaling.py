@@ -80,8 +80,11 @@ def main(argv: Sequence[str]) -> int:
         print(f"scaling: {error}", file=sys.stderr)
         return 1
     exponent = slope(rows)
-    print(f"time grows as points^{exponent:.2f} from {SLOPE_FROM:g} points on"
-          if math.isfinite(exponent) else f"no slope: fewer than 2 sizes from {SLOPE_FROM:g} on")
+    print(
+        f"time grows as points^{exponent:.2f} from {SLOPE_FROM:g} points on"
+        if math.isfinite(exponent)
+        else f"no slope: fewer than 2 sizes from {SLOPE_FROM:g} on"
+    )
     if arguments.json:
         write(arguments.json, record(rows, exponent, arguments.threads, repeat))
         print(f"wrote {arguments.json}")

@@ -12,7 +12,7 @@ def first_line(*command: str, pick: str = "") -> str:
     """The first line that a command prints (with `pick` in it), or "unknown"."""
     if shutil.which(command[0]) is None:
         return UNKNOWN
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     lines = [line for line in done.stdout.splitlines() if pick in line]
     return lines[0].strip() if done.returncode == 0 and lines else UNKNOWN
 

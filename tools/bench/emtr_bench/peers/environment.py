@@ -63,7 +63,9 @@ def fingerprint(files: list[Path]) -> str:
 
 
 def _run(command: list[str]) -> None:
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    done = subprocess.run(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
+    )
     if done.returncode != 0:
         raise EnvironmentFailure(
             f"{' '.join(command)} failed with status {done.returncode}:\n{done.stdout.strip()}"

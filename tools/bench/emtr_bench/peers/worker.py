@@ -41,7 +41,8 @@ class Worker:
         self._threads = threads
         self._process: Any = None
         self._connection: Connection | None = None
-        self._log = tempfile.NamedTemporaryFile(prefix="peers-", suffix=".log")
+        # Closed by close().
+        self._log = tempfile.NamedTemporaryFile(prefix="peers-", suffix=".log")  # noqa: SIM115
 
     def ask(self, source: Array, target: Array, task: Task, limit: float) -> Answer:
         """One run; `limit` seconds at most."""
@@ -128,7 +129,7 @@ def _serve(connection: Connection, method: Method, threads: int, log: str) -> No
     try:
         register = method.load()
         register(*_warm_up(threads))
-    except Exception:
+    except Exception:  # noqa: BLE001 (of others' code: told to the parent)
         connection.send(Answer(None, 0.0, traceback.format_exc()))
         return
     connection.send(Answer(None, 0.0))
@@ -141,7 +142,7 @@ def _serve(connection: Connection, method: Method, threads: int, log: str) -> No
         try:
             T = register(source, target, task)
             answer = Answer(T, time.perf_counter() - start)
-        except Exception:
+        except Exception:  # noqa: BLE001 (of others' code: told to the parent)
             answer = Answer(None, time.perf_counter() - start, traceback.format_exc())
         connection.send(answer)
 

@@ -33,12 +33,16 @@ def differences(recorded: dict[str, str], here: dict[str, str]) -> list[str]:
 def _compiler(build: Path) -> str:
     for file in build.glob("CMakeFiles/*/CMakeCXXCompiler.cmake"):
         found = dict(re.findall(r'^set\((CMAKE_CXX_COMPILER_(?:ID|VERSION)) "(.*)"\)$',
-                                file.read_text(), re.M))  # fmt: skip
+                                file.read_text(), re.MULTILINE))  # fmt: skip
         return " ".join(found.get(f"CMAKE_CXX_COMPILER_{key}", "?") for key in ("ID", "VERSION"))
     return "unknown"
 
 
 def _cached(build: Path, name: str) -> str:
     cache = build / "CMakeCache.txt"
-    found = re.search(rf"^{name}:\w+=(.*)$", cache.read_text(), re.M) if cache.exists() else None
+    found = (
+        re.search(rf"^{name}:\w+=(.*)$", cache.read_text(), re.MULTILINE)
+        if cache.exists()
+        else None
+    )
     return found[1] if found else "unknown"

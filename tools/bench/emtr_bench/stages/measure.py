@@ -6,8 +6,9 @@ import statistics
 from typing import Any
 
 import numpy as np
-import pyemtr
 from numpy.typing import NDArray
+
+import pyemtr
 
 from ..peers.summary import Quartiles, quartiles
 from .arguments import STRUCTURES
