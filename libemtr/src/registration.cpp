@@ -202,7 +202,7 @@ void Registration::conclude_candidates() {
   r.score_gap = standing_.gap;
   r.confidence = standing_.confidence;
   if (!stopped_) {
-    r.reason = reason(best, standing_, refined_.spectrum.free > 0 && refined_.succeeded,
+    r.reason = reason(best, standing_, refined_.slides > 0 && refined_.succeeded,
                       problem_.correspondences.size(), settings_);
     r.registered = r.reason == EMTR_REASON_REGISTERED;
   }

@@ -49,10 +49,36 @@ def write_pcd(path: Path, points: np.ndarray) -> Path:
     return path
 
 
+# The same in entries.cpp.
+GUESS = [[0, 0, 1, -5.5], [1, 0, 0, -4.5], [0, 1, 0, -5], [0, 0, 0, 1]]
+PRIORS = {
+    "guess": GUESS,
+    "guess_rotation": 40,
+    "guess_translation": 3,
+    "axis": [1, 1.1, 1],
+    "axis_tilt": 8,
+    "axis_angle_minimum": -170,
+    "axis_angle_maximum": 200,
+    "translation_bounds": [[-9, -9, -9], [9, 9, 9]],
+    "maximum_rotation": 170,
+}
+
+
+def options(priors: dict, folder: Path) -> list[str]:
+    """Those of the shell."""
+    words = []
+    np.savetxt(folder / "guess.txt", GUESS)
+    for name, value in priors.items():
+        numbers = [folder / "guess.txt"] if name == "guess" else np.ravel(value).tolist()
+        words += ["--" + name.replace("_", "-"), *map(str, numbers)]
+    return words
+
+
 def by_programs(
-    source: Path, target: Path, threads: int, seed: int, preset: str
+    source: Path, target: Path, threads: int, seed: int, preset: str, priors: dict
 ) -> list[np.ndarray]:
     words = [str(PROGRAM), str(source), str(target), str(threads), str(seed), preset]
+    words += ["priors"] if priors else []
     printed = subprocess.run(words, capture_output=True, text=True, check=True, timeout=300).stdout
     return [
         np.array([float.fromhex(word) for word in line.split()]).reshape(4, 4)
@@ -60,7 +86,9 @@ def by_programs(
     ]
 
 
-def by_shell(source: Path, target: Path, threads: int, seed: int, preset: str) -> np.ndarray:
+def by_shell(
+    source: Path, target: Path, threads: int, seed: int, preset: str, priors: dict
+) -> np.ndarray:
     words = [
         str(COMMAND),
         str(source),
@@ -71,14 +99,21 @@ def by_shell(source: Path, target: Path, threads: int, seed: int, preset: str) -
         str(seed),
         "--preset",
         preset,
+        *options(priors, source.parent),
     ]
     done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=300)
     assert done.returncode in (0, 3), done.stderr
     return np.array(done.stdout.split(), dtype=float).reshape(4, 4)
 
 
-@pytest.mark.parametrize("pair, preset", CASES)
-def test_same_bits(pair: str, preset: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "pair, preset, priors",
+    [
+        *[(*case, {}) for case in CASES],
+        *[("generated", preset, PRIORS) for preset in ("default", "thorough", "paper")],
+    ],
+)
+def test_same_bits(pair: str, preset: str, priors: dict, tmp_path: Path) -> None:
     for program in (PROGRAM, COMMAND):
         if not program.is_file():
             pytest.skip(f"no {program}: run tools/check, or set EMTR_BUILD_DIR")
@@ -93,17 +128,17 @@ def test_same_bits(pair: str, preset: str, tmp_path: Path) -> None:
         write_pcd(tmp_path / "target.pcd", clouds[1]),
     )
 
-    first = pyemtr.register(*clouds, seed=5, threads=1, preset=preset).transformation
+    first = pyemtr.register(*clouds, seed=5, threads=1, preset=preset, **priors).transformation
     for threads in (1, 2, 4, 8):
-        here = pyemtr.register(*clouds, seed=5, threads=threads, preset=preset)
+        here = pyemtr.register(*clouds, seed=5, threads=threads, preset=preset, **priors)
         found = [
             here.transformation,
-            by_shell(*files, threads, 5, preset),
-            *by_programs(*files, threads, 5, preset),
+            by_shell(*files, threads, 5, preset, priors),
+            *by_programs(*files, threads, 5, preset, priors),
         ]
         assert len(found) == 5
         for transformation in found:
             np.testing.assert_array_equal(transformation, first)
     if preset == "paper":  # with the others, any seed may lead to the bits of one refined pose
-        other = pyemtr.register(*clouds, seed=6, preset=preset).transformation
+        other = pyemtr.register(*clouds, seed=6, preset=preset, **priors).transformation
         assert (other != first).any()

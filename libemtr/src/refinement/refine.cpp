@@ -61,6 +61,7 @@ Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& s
   out.rmse = p.rmse;
   information(p, out.information);
   out.spectrum = spectrum(p.sums);
+  out.slides = prior ? free_within(out.spectrum, prior->limits(p.pose)) : out.spectrum.free;
   return out;
 }
 

@@ -14,6 +14,7 @@ struct Refined {
   double rmse = 0;              ///< see Polished
   double information[36] = {};  ///< see information()
   Spectrum spectrum;
+  int slides = 0;  ///< directions that neither the surfaces hold nor the prior
 };
 
 /// `prior`: what the pose keeps to, as the start does, or null.
