@@ -22,8 +22,8 @@ class Priors : public testing::Test {
     reg.align(output, guess);
     return reg.hasConverged();
   }
-  Eigen::Matrix3d rotation() const { return reg.getFinalTransformation().topLeftCorner<3, 3>(); }
-  double degreesFrom(const Eigen::Matrix3d& R) const {
+  Eigen::Matrix3d rotation() { return reg.getFinalTransformation().topLeftCorner<3, 3>(); }
+  double degreesFrom(const Eigen::Matrix3d& R) {
     return Eigen::AngleAxisd(rotation() * R.transpose()).angle() * 180 / M_PI;
   }
 
@@ -54,7 +54,6 @@ TEST_F(Priors, OnlyPosesNearTheGuess) {
   EXPECT_TRUE(align(guess)) << reg.getReasonText();
   reg.setGuessRadius(5, 1);
   align(guess);
-  EXPECT_NEAR(degreesFrom(guess.topLeftCorner<3, 3>()), 5, 5 + 1e-6);
   EXPECT_LE(degreesFrom(guess.topLeftCorner<3, 3>()), 5 + 1e-6);
   align();  // the identity is a guess here
   EXPECT_LE(degreesFrom(Eigen::Matrix3d::Identity()), 5 + 1e-6);

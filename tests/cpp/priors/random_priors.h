@@ -73,13 +73,8 @@ inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Frame
   }
   if (which & kLargest)
     s.maximum_rotation = std::min(
-        180.0, emtr::rotation_distance(inside.R, emtr::Rigid().R) / degree + d.uniform(0.001, 30));
+        179.99, emtr::rotation_distance(inside.R, emtr::Rigid().R) / degree + d.uniform(0.001, 30));
   return s;
-}
-
-/// The same frame without the shift of the clouds' centres by the guess's rounding.
-inline emtr::Rigid guess_of(const emtr::Settings& s, const emtr::Frame& frame) {
-  return emtr::normalised_guess(s, frame);
 }
 
 }  // namespace emtr_test
