@@ -168,13 +168,15 @@ typedef struct emtr_settings {
   double axis[3];           /* its direction, the same in both clouds' frames, of any length > 0:
                                up, say, for scanners that know where down is */
   double axis_tilt;         /* degrees that the rotated axis may lean from itself */
-  double
-      axis_angle_minimum; /* degrees about the axis, by the right hand; of a rotation that also */
-  double axis_angle_maximum; /* tilts it, of the part that does not. -180 to 180: any */
+  /* degrees about the axis by the right hand; -180 to 180: any. Of a rotation that tilts the axis
+   * too, of the turn before the tilt */
+  double axis_angle_minimum;
+  double axis_angle_maximum;
   int32_t has_translation_bounds;
-  double translation_minimum[3]; /* of the translation of the result's matrix, user's unit: where */
-  double translation_maximum[3]; /* the origin of the source's frame ends; finite */
-  double maximum_rotation;       /* degrees of the whole rotation; 180: any */
+  /* of the translation in the result's matrix, user's unit: where the origin ends; finite */
+  double translation_minimum[3];
+  double translation_maximum[3];
+  double maximum_rotation; /* degrees of the whole rotation; 180: any */
 } emtr_settings;
 
 /* Fills *settings with a preset: "default" (also for a null pointer), "fast", "thorough" or
