@@ -16,6 +16,7 @@ STRUCT = re.search(
     r"typedef struct emtr_settings \{(.*?)\} emtr_settings;", HEADER, re.DOTALL
 ).group(1)
 NAMES = re.findall(r"^  (?:uint64_t|int32_t|double) (?!has_)(\w+);", STRUCT, re.MULTILINE)
+NUMBER = r"(-?[\d.]+(?:e[+-]\d+)?)"
 PARTNERS = {
     "dense_points": ["--sparse-points", "50"],
     "feature_radius": ["--normal-radius", "1"],
@@ -50,7 +51,7 @@ def test_help_gives_kind_and_default(entries, name):
     assert kind in ("N", "X", "NAME", "on|off")
     assert re.search(r"default \S+\]$", text)
     if kind in ("N", "X"):
-        assert re.search(r"-?[\d.]+ to [\d.]+(e[+\d]+)?; default", text)
+        assert re.search(rf"{NUMBER} to {NUMBER}; default", text)
 
 
 def other(name: str, kind: str, text: str) -> tuple[str, object]:
@@ -65,7 +66,7 @@ def other(name: str, kind: str, text: str) -> tuple[str, object]:
         names = re.search(r"\[(.*?);", text).group(1).replace(" or ", ", ").split(", ")
         choice = [word for word in names if f"default {word}]" not in text][-1]
         return choice, choice
-    least, most, usual = re.search(r"(\S+) to (\S+); default (\S+)\]", text).groups()
+    least, most, usual = re.search(rf"{NUMBER} to {NUMBER}; default {NUMBER}\]", text).groups()
     return (most, float(most)) if least == usual else (least, float(least))
 
 
