@@ -11,6 +11,7 @@ from . import _emtr
 from ._emtr import kernel_name
 from .alternative import Alternative
 from .cloud import Cloud
+from .distances import residuals
 from .options import Setting, presets, settings
 from .problem import Problem
 from .progress import Progress
@@ -33,5 +34,6 @@ __all__ = [
     "kernel_name",
     "presets",
     "register",
+    "residuals",
     "settings",
 ]

@@ -37,17 +37,43 @@ class Settings:
     def translation_bounds(self) -> list[list[float]] | None: ...
     @translation_bounds.setter
     def translation_bounds(self, value: NDArray[np.float64]) -> None: ...
+    @property
+    def correspondences(self) -> int | None: ...
+    @correspondences.setter
+    def correspondences(self, value: NDArray[np.int32]) -> None: ...
+
+@final
+class Rows:
+    def __init__(self, array: NDArray[Any]) -> None: ...
+
+@final
+class CloudBuffer:
+    def __init__(
+        self,
+        points: NDArray[Any],
+        normals: NDArray[Any] | None = None,
+        features: NDArray[np.float32] | None = None,
+        keep_points: bool = False,
+    ) -> None: ...
 
 @final
 class Prepared:
-    def __init__(self, array: NDArray[Any], name: str, threads: int) -> None: ...
+    def __init__(self, buffer: CloudBuffer, name: str, threads: int) -> None: ...
     def describe(self) -> dict[str, Any]: ...
 
-_Cloud: TypeAlias = NDArray[Any] | Prepared
+_Cloud: TypeAlias = CloudBuffer | Prepared
 
 def register(
     source: _Cloud, target: _Cloud, settings: Settings, callback: _Callback
 ) -> dict[str, Any]: ...
+def residuals(
+    source: NDArray[Any],
+    target: NDArray[Any],
+    transformation: NDArray[np.float64],
+    threads: int,
+    of_target: bool,
+    out: NDArray[np.float64],
+) -> None: ...
 
 @final
 class ArrayView:

@@ -14,6 +14,7 @@ include "settings.pxi"
 include "cloud.pxi"
 include "progress.pxi"
 include "outcome.pxi"
+include "residuals.pxi"
 include "prepared.pxi"
 include "problem.pxi"
 
@@ -36,7 +37,7 @@ def kernel_name():
 
 
 def register(source, target, Settings settings not None, callback):
-    """emtr_register: float32 or float64 arrays (n, 3), the fields of a result as a dict.
+    """emtr_register: two CloudBuffers, the fields of a result as a dict.
 
     Either may be a Prepared, the other is then prepared on the way.
     """
@@ -50,7 +51,7 @@ def register(source, target, Settings settings not None, callback):
     if isinstance(source, Prepared) or isinstance(target, Prepared):
         return register_prepared(prepared(source, "source", settings),
                                  prepared(target, "target", settings), settings, watch)
-    a, b = CloudBuffer(source), CloudBuffer(target)
+    a, b = source, target
     with nogil:
         status = emtr_register(&a.cloud, &b.cloud, chosen, on_progress, user, &result)
     return finish(status, watch, result)

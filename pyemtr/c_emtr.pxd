@@ -28,6 +28,8 @@ cdef extern from "emtr/emtr.h" nogil:
         int32_t has_translation_bounds
         double translation_minimum[3]
         double translation_maximum[3]
+        const int32_t* correspondences
+        size_t correspondence_count
 
     ctypedef enum emtr_setting_type:
         EMTR_SETTING_INTEGER
@@ -49,7 +51,7 @@ cdef extern from "emtr/emtr.h" nogil:
     emtr_status emtr_settings_init(emtr_settings* settings, size_t size, const char* preset)
     const char* emtr_preset_name(size_t index)
     size_t emtr_setting_count()
-    emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info)
+    emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info, size_t size)
     emtr_status emtr_setting_set(emtr_settings* settings, const char* name, double value)
     emtr_status emtr_setting_get(const emtr_settings* settings, const char* name, double* value)
 
@@ -62,6 +64,12 @@ cdef extern from "emtr/emtr.h" nogil:
         size_t count
         size_t stride
         emtr_scalar scalar
+        const void* normals
+        size_t normal_stride
+        const float* features
+        size_t feature_dimension
+        size_t feature_stride
+        int32_t keep_points
 
     ctypedef struct emtr_progress:
         const char* stage
@@ -80,6 +88,7 @@ cdef extern from "emtr/emtr.h" nogil:
         EMTR_REASON_INTERRUPTED
         EMTR_REASON_DEGENERATE
 
+    const char* emtr_reason_name(emtr_reason reason)
     const char* emtr_reason_text(emtr_reason reason)
 
     ctypedef struct emtr_alternative:
@@ -90,7 +99,8 @@ cdef extern from "emtr/emtr.h" nogil:
         double transformation[16]
         int32_t registered
         emtr_reason reason
-        double fitness, inlier_ratio_source, inlier_ratio_target, inlier_rmse, mode_gap
+        double fitness, inlier_ratio_source, inlier_ratio_target, mode_gap
+        double overlap_source, overlap_target, inlier_rmse, inlier_rmse_plane
         size_t points_source, points_target, dropped_source, dropped_target
         size_t sparse_source, sparse_target, dense_source, dense_target
         size_t correspondences, tims, tims_pruned
@@ -98,7 +108,7 @@ cdef extern from "emtr/emtr.h" nogil:
         double scale
         double center_source[3]
         double center_target[3]
-        double leaf_sparse, leaf_dense
+        double leaf_sparse, leaf_dense, leaf_fine
         double seconds_frame, seconds_densities, seconds_features, seconds_matching
         double seconds_evolution, seconds_verdict, seconds_total
         size_t iterations
@@ -123,6 +133,10 @@ cdef extern from "emtr/emtr.h" nogil:
                               const emtr_settings* settings, emtr_progress_fn progress,
                               void* user, emtr_result** result)
 
+    emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
+                               const double* transformation, int32_t threads,
+                               double* of_source, double* of_target)
+
     ctypedef struct emtr_prepared:
         pass
 
@@ -134,8 +148,11 @@ cdef extern from "emtr/emtr.h" nogil:
         size_t points, dropped, kept
         double center[3]
         double radius
+        int32_t normals
+        size_t described, feature_dimension
 
-    emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info)
+    emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
+                                       size_t size)
     emtr_status emtr_register_prepared(const emtr_prepared* source, const emtr_prepared* target,
                                        const emtr_settings* settings, emtr_progress_fn progress,
                                        void* user, emtr_result** result)
@@ -175,7 +192,8 @@ cdef extern from "emtr/emtr.h" nogil:
         double leaf_sparse, leaf_dense, c_sparse, c_dense, tau
         size_t tims, tims_pruned
 
-    emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info)
+    emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info,
+                                      size_t size)
 
     ctypedef enum emtr_array:
         EMTR_SOURCE_SPARSE
@@ -189,6 +207,10 @@ cdef extern from "emtr/emtr.h" nogil:
         EMTR_CORRESPONDENCES
         EMTR_TIM_SOURCE
         EMTR_TIM_TARGET
+        EMTR_SOURCE_FEATURE_POINTS
+        EMTR_TARGET_FEATURE_POINTS
+        EMTR_SOURCE_FEATURE_ROWS
+        EMTR_TARGET_FEATURE_ROWS
 
     emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which,
                                    const void** data, size_t* rows, size_t* columns)

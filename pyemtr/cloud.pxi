@@ -1,31 +1,69 @@
-# A numpy array seen as an emtr_cloud, without a copy.
+# numpy arrays seen as an emtr_cloud, without a copy.
 
 @cython.final
-cdef class CloudBuffer:
-    """Holds the array's memory for as long as it lives. The package has seen to the layout:
-    (n, 3), float32 or float64, x y z side by side, rows forward and not overlapping."""
+cdef class Rows:
+    """Holds an array's memory for as long as it lives. The package has seen to the layout:
+    two-dimensional, float32 or float64, a row side by side, rows forward and not overlapping."""
     cdef Py_buffer view
     cdef bint held
-    cdef emtr_cloud cloud
+    cdef bint single
+    cdef size_t stride
 
     def __init__(self, array):
         PyObject_GetBuffer(array, &self.view, PyBUF_STRIDES | PyBUF_FORMAT)
         self.held = True
         # The letter comes last; numpy puts a sign before it when the memory is unaligned.
         scalar = (<bytes>self.view.format)[-1:] if self.view.format != NULL else b""
-        if self.view.ndim != 2 or self.view.shape[1] != 3 or scalar not in (b"f", b"d"):
-            raise ValueError("a cloud of float32 or float64 with shape (n, 3) is expected")
-        self.cloud.points = self.view.buf
-        self.cloud.count = self.view.shape[0]
-        self.cloud.scalar = EMTR_FLOAT32 if scalar == b"f" else EMTR_FLOAT64
-        packed = 3 * self.view.itemsize
+        if self.view.ndim != 2 or scalar not in (b"f", b"d"):
+            raise ValueError("a two-dimensional array of float32 or float64 is expected")
+        self.single = scalar == b"f"
+        packed = self.view.shape[1] * self.view.itemsize
         if self.view.shape[0] <= 1:  # the stride of a single row means nothing
-            self.cloud.stride = packed
-        elif self.view.strides[0] < packed or self.view.strides[1] != self.view.itemsize:
-            raise ValueError("a cloud with x, y, z side by side is expected")
+            self.stride = packed
+        elif self.view.strides[0] < packed or (
+                self.view.shape[1] > 1 and self.view.strides[1] != self.view.itemsize):
+            raise ValueError("an array with each row side by side is expected")
         else:
-            self.cloud.stride = self.view.strides[0]
+            self.stride = self.view.strides[0]
 
     def __dealloc__(self):
         if self.held:
             PyBuffer_Release(&self.view)
+
+
+@cython.final
+cdef class CloudBuffer:
+    """Points (n, 3), normals (n, 3) of the same type or None, features float32 (n, d) or None."""
+    cdef Rows points
+    cdef Rows normals
+    cdef Rows features
+    cdef emtr_cloud cloud
+
+    def __init__(self, points, normals=None, features=None, bint keep_points=False):
+        self.points = Rows(points)
+        if self.points.view.shape[1] != 3:
+            raise ValueError("a cloud of float32 or float64 with shape (n, 3) is expected")
+        self.cloud.points = self.points.view.buf
+        self.cloud.count = self.points.view.shape[0]
+        self.cloud.scalar = EMTR_FLOAT32 if self.points.single else EMTR_FLOAT64
+        self.cloud.stride = self.points.stride
+        self.cloud.keep_points = keep_points
+        if normals is not None:
+            self.normals = self.beside(normals)
+            if self.normals.view.shape[1] != 3 or self.normals.single != self.points.single:
+                raise ValueError("normals of the type of the points, (n, 3), are expected")
+            self.cloud.normals = self.normals.view.buf
+            self.cloud.normal_stride = self.normals.stride
+        if features is not None:
+            self.features = self.beside(features)
+            if not self.features.single:
+                raise ValueError("features of float32 are expected")
+            self.cloud.features = <const float*>self.features.view.buf
+            self.cloud.feature_dimension = self.features.view.shape[1]
+            self.cloud.feature_stride = self.features.stride
+
+    cdef Rows beside(self, array):
+        cdef Rows rows = Rows(array)
+        if rows.view.shape[0] != self.points.view.shape[0]:
+            raise ValueError("as many rows as points are expected")
+        return rows

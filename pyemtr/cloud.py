@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _emtr
-from .arrays import Floats, as_points
-from .options import make_settings
+from .arrays import Floats, as_features, as_normals, as_points
+from .options import thread_setting
 
 
 class Cloud:
@@ -25,17 +24,32 @@ class Cloud:
 
     Args:
         points: as :func:`pyemtr.register` takes them, (N, 3) in any unit.
+        normals: (N, 3) or None, as the ``source_normals`` of :func:`pyemtr.register`.
+        features: (N, D) or None, as its ``source_features``.
+        keep_points: keeps all of more than 200 000 points, 12 bytes each, so that the cloud can be
+            registered with ``correspondences``; of a smaller cloud they are always kept.
         threads: 0 for as many as OpenMP would use; the cloud does not depend on it.
 
     Raises:
         TypeError: not numbers, or not real ones.
-        ValueError: not (N, 3), or a cloud that cannot be registered (fewer than 10 finite points,
-            all on one point or one line).
+        ValueError: not (N, 3), not as many normals or features as points, or a cloud that cannot
+            be registered (fewer than 10 finite points, all on one point or one line).
     """
 
-    def __init__(self, points: Any, *, threads: int = 0) -> None:
-        chosen = int(make_settings(0, threads, "default", None, {}).get("threads"))
-        self._raw = _emtr.Prepared(as_points(points, "points"), "", chosen)
+    def __init__(
+        self,
+        points: Any,
+        *,
+        normals: Any = None,
+        features: Any = None,
+        keep_points: bool = False,
+        threads: int = 0,
+    ) -> None:
+        self._raw = _emtr.Prepared(
+            _buffer(points, "points", normals, "normals", features, "features", keep_points),
+            "",
+            thread_setting(threads),
+        )
         self._info: dict[str, Any] = self._raw.describe()
 
     def __len__(self) -> int:
@@ -46,6 +60,17 @@ class Cloud:
     def dropped(self) -> int:
         """How many points with a NaN or an infinity were left out."""
         return int(self._info["dropped"])
+
+    @property
+    def has_normals(self) -> bool:
+        """Whether normals were handed in."""
+        return bool(self._info["normals"])
+
+    @property
+    def described(self) -> int:
+        """How many points have features that were handed in; of more than 200 000, how many are
+        left by a thinning."""
+        return int(self._info["described"])
 
     @property
     def center(self) -> Floats:
@@ -59,9 +84,42 @@ class Cloud:
 
     def __repr__(self) -> str:
         dropped = f", {self.dropped} dropped" if self.dropped else ""
-        return f"<pyemtr.Cloud: {len(self)} points{dropped}, radius {self.radius:.6g}>"
+        normals = ", normals" if self.has_normals else ""
+        features = f", {self.described} features of {self._info['feature_dimension']}"
+        return (
+            f"<pyemtr.Cloud: {len(self)} points{dropped}{normals}"
+            f"{features if self.described else ''}, radius {self.radius:.6g}>"
+        )
 
 
-def as_cloud(cloud: Any, name: str) -> NDArray[Any] | _emtr.Prepared:
-    """What the C library reads: a prepared cloud, or points as :func:`as_points` makes them."""
-    return cloud._raw if isinstance(cloud, Cloud) else as_points(cloud, name)
+def as_cloud(
+    cloud: Any, name: str, normals: Any = None, features: Any = None, keep_points: bool = False
+) -> _emtr.CloudBuffer | _emtr.Prepared:
+    """What the C library reads: a prepared cloud, or points as :func:`as_points` makes them, with
+    what belongs to them."""
+    if not isinstance(cloud, Cloud):
+        return _buffer(
+            cloud, name, normals, f"{name}_normals", features, f"{name}_features", keep_points
+        )
+    for given, what in ((normals, "normals"), (features, "features")):
+        if given is not None:
+            raise TypeError(f"{name}_{what}: a pyemtr.Cloud brings its own; give them to it")
+    return cloud._raw
+
+
+def _buffer(
+    points: Any,
+    points_name: str,
+    normals: Any,
+    normals_name: str,
+    features: Any,
+    features_name: str,
+    keep_points: bool,
+) -> _emtr.CloudBuffer:
+    array = as_points(points, points_name)
+    return _emtr.CloudBuffer(
+        array,
+        None if normals is None else as_normals(normals, normals_name, array),
+        None if features is None else as_features(features, features_name, array),
+        keep_points,
+    )

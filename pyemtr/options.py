@@ -12,7 +12,7 @@ from typing import Any, Union
 import numpy as np
 
 from . import _emtr
-from .arrays import as_bounds, as_transformation, as_vector
+from .arrays import as_bounds, as_correspondences, as_transformation, as_vector
 
 Value = Union[int, float, bool, str]
 
@@ -95,6 +95,18 @@ def make_settings(
     return chosen
 
 
+def take_correspondences(chosen: _emtr.Settings, correspondences: Any) -> bool:
+    """Hands them in; whether there are any. Raises as :func:`as_correspondences`."""
+    if correspondences is not None:
+        chosen.correspondences = as_correspondences(correspondences)
+    return correspondences is not None
+
+
+def thread_setting(threads: int) -> int:
+    """The argument ``threads`` of calls that take no other setting; raises as above."""
+    return int(make_settings(0, threads, "default", None, {}).get("threads"))
+
+
 def settings_used(chosen: _emtr.Settings) -> dict[str, Any]:
     """All settings by name, as keyword arguments that repeat the run; poses: lists or None."""
     used: dict[str, Any] = {}
@@ -156,6 +168,7 @@ def _seed(value: Any) -> int:
     return whole
 
 
+# that the table leaves out
 _OWN = [
     "preset",
     "guess",
@@ -163,7 +176,12 @@ _OWN = [
     "target_viewpoint",
     "axis",
     "translation_bounds",
-]  # that the table leaves out
+    "source_normals",
+    "target_normals",
+    "source_features",
+    "target_features",
+    "correspondences",
+]
 
 
 def _unknown(name: str, known: list[str]) -> str:

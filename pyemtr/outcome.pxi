@@ -1,21 +1,19 @@
 # emtr_result as a dict of plain Python values.
 
-REASONS = {EMTR_REASON_REGISTERED: "registered", EMTR_REASON_LOW_OVERLAP: "low_overlap",
-           EMTR_REASON_AMBIGUOUS: "ambiguous", EMTR_REASON_FEW_MATCHES: "few_matches",
-           EMTR_REASON_INTERRUPTED: "interrupted", EMTR_REASON_DEGENERATE: "degenerate"}
-
-
 cdef dict fields(const emtr_result* r):
     return {
         "transformation": listed(r.transformation, 16),
         "registered": bool(r.registered),
-        "reason": REASONS[r.reason],
+        "reason": emtr_reason_name(r.reason).decode(),
         "reason_text": emtr_reason_text(r.reason).decode(),
         "fitness": r.fitness,
         "inlier_ratio_source": r.inlier_ratio_source,
         "inlier_ratio_target": r.inlier_ratio_target,
-        "inlier_rmse": r.inlier_rmse,
         "mode_gap": r.mode_gap,
+        "overlap_source": r.overlap_source,
+        "overlap_target": r.overlap_target,
+        "inlier_rmse": r.inlier_rmse,
+        "inlier_rmse_plane": r.inlier_rmse_plane,
         "points_source": r.points_source, "points_target": r.points_target,
         "dropped_source": r.dropped_source, "dropped_target": r.dropped_target,
         "sparse_source": r.sparse_source, "sparse_target": r.sparse_target,
@@ -27,7 +25,7 @@ cdef dict fields(const emtr_result* r):
         "scale": r.scale,
         "center_source": listed(r.center_source, 3),
         "center_target": listed(r.center_target, 3),
-        "leaf_sparse": r.leaf_sparse, "leaf_dense": r.leaf_dense,
+        "leaf_sparse": r.leaf_sparse, "leaf_dense": r.leaf_dense, "leaf_fine": r.leaf_fine,
         "timings": {"frame": r.seconds_frame, "densities": r.seconds_densities,
                     "features": r.seconds_features, "matching": r.seconds_matching,
                     "seeds": r.seconds_seeds, "evolution": r.seconds_evolution,

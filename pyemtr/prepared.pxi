@@ -5,8 +5,7 @@ cdef class Prepared:
     """Owns an emtr_prepared, which never changes: any number of threads may use it."""
     cdef emtr_prepared* prepared
 
-    def __init__(self, array, str name not None, int threads):
-        cdef CloudBuffer buffer = CloudBuffer(array)
+    def __init__(self, CloudBuffer buffer not None, str name not None, int threads):
         cdef bytes text = name.encode()
         cdef const char* letters = text
         cdef emtr_prepared* made = NULL
@@ -23,13 +22,15 @@ cdef class Prepared:
 
     def describe(self):
         cdef emtr_prepared_info info
-        check(emtr_prepared_describe(self.prepared, &info))
+        check(emtr_prepared_describe(self.prepared, &info, sizeof(info)))
         return {"points": info.points, "dropped": info.dropped, "kept": info.kept,
-                "center": listed(info.center, 3), "radius": info.radius}
+                "center": listed(info.center, 3), "radius": info.radius,
+                "normals": bool(info.normals), "described": info.described,
+                "feature_dimension": info.feature_dimension}
 
 
 cdef Prepared prepared(cloud, str name, Settings settings):
-    """A prepared cloud as it is, an array prepared now."""
+    """A prepared cloud as it is, a buffer prepared now."""
     if isinstance(cloud, Prepared):
         return cloud
     return Prepared(cloud, name, <int>settings.get("threads"))

@@ -6,7 +6,11 @@ ARRAYS = {
     "source_normals": EMTR_SOURCE_NORMALS, "target_normals": EMTR_TARGET_NORMALS,
     "source_features": EMTR_SOURCE_FEATURES, "target_features": EMTR_TARGET_FEATURES,
     "correspondences": EMTR_CORRESPONDENCES,
-    "tim_source": EMTR_TIM_SOURCE, "tim_target": EMTR_TIM_TARGET}
+    "tim_source": EMTR_TIM_SOURCE, "tim_target": EMTR_TIM_TARGET,
+    "source_feature_points": EMTR_SOURCE_FEATURE_POINTS,
+    "target_feature_points": EMTR_TARGET_FEATURE_POINTS,
+    "source_feature_rows": EMTR_SOURCE_FEATURE_ROWS,
+    "target_feature_rows": EMTR_TARGET_FEATURE_ROWS}
 
 
 @cython.final
@@ -30,7 +34,7 @@ cdef class Problem:
             with nogil:
                 status = emtr_problem_create_prepared(c.prepared, d.prepared, chosen, &made)
         else:
-            a, b = CloudBuffer(source), CloudBuffer(target)
+            a, b = source, target
             with nogil:
                 status = emtr_problem_create(&a.cloud, &b.cloud, chosen, &made)
         check(status)
@@ -106,7 +110,7 @@ cdef class Problem:
 
     def describe(self):
         cdef emtr_problem_info info
-        check(emtr_problem_describe(self.problem, &info))
+        check(emtr_problem_describe(self.problem, &info, sizeof(info)))
         return {"scale": info.scale,
                 "center_source": listed(info.center_source, 3),
                 "center_target": listed(info.center_target, 3),
@@ -132,7 +136,7 @@ cdef class ArrayView:
         cdef size_t columns = 0
         check(emtr_problem_array(owner.problem, ARRAYS[name], &self.data, &rows, &columns))
         self.owner = owner
-        self.whole = name == "correspondences"
+        self.whole = name == "correspondences" or name.endswith("_rows")
         self.shape[0], self.shape[1] = rows, columns
         self.strides[0], self.strides[1] = 4 * columns, 4
 

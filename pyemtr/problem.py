@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from . import _emtr
 from .arrays import Floats, as_particles, as_transformation, as_vector
 from .cloud import as_cloud
-from .options import Value, make_settings, settings_used
+from .options import Value, make_settings, settings_used, take_correspondences
 from .progress import Callback, as_raw_callback
 from .result import Result, make_result
 from .views import ProblemViews
@@ -43,6 +43,11 @@ class Problem(ProblemViews):
         target_viewpoint: Any = None,
         axis: Any = None,
         translation_bounds: Any = None,
+        source_normals: Any = None,
+        target_normals: Any = None,
+        source_features: Any = None,
+        target_features: Any = None,
+        correspondences: Any = None,
         **settings: Value,
     ) -> None:
         chosen = make_settings(
@@ -57,7 +62,12 @@ class Problem(ProblemViews):
             translation_bounds,
         )
         self.settings: dict[str, Any] = settings_used(chosen)
-        self._raw = _emtr.Problem(as_cloud(source, "source"), as_cloud(target, "target"), chosen)
+        keep = take_correspondences(chosen, correspondences)
+        self._raw = _emtr.Problem(
+            as_cloud(source, "source", source_normals, source_features, keep),
+            as_cloud(target, "target", target_normals, target_features, keep),
+            chosen,
+        )
         self._lock = threading.Lock()
         self._holder: int | None = None
 

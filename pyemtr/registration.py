@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _emtr
 from .cloud import as_cloud
-from .options import Value, make_settings, settings_used
+from .options import Value, make_settings, settings_used, take_correspondences
 from .progress import Callback, as_raw_callback
 from .result import Result, make_result
 
@@ -23,6 +23,11 @@ def register(
     target_viewpoint: Any = None,
     axis: Any = None,
     translation_bounds: Any = None,
+    source_normals: Any = None,
+    target_normals: Any = None,
+    source_features: Any = None,
+    target_features: Any = None,
+    correspondences: Any = None,
     callback: Callback | None = None,
     **settings: Value,
 ) -> Result:
@@ -54,6 +59,17 @@ def register(
         translation_bounds: (2, 3), least and largest translation of the resulting matrix, in the
             clouds' unit. These priors and the setting ``maximum_rotation`` (degrees) hold for the
             transformation and the alternatives, all at once.
+        source_normals: (N, 3), normals of the source's points, used instead of estimating them. Of
+            any length; NaN or zero where a point has none. Where both clouds have some, the side
+            that they point to counts. What an object has in ``.normals`` is not used by itself.
+        target_normals: (M, 3), likewise of the target.
+        source_features: (N, D), descriptors of the source's points, computed elsewhere: the mutual
+            nearest neighbours by Euclidean distance are matched, instead of those by FPFH. NaN
+            where a point has none. Used as float32; both clouds or none, of one D.
+        target_features: (M, D), likewise of the target.
+        correspondences: (K, 2) of whole numbers, rows of source and target held to be the same
+            place, many of which may be wrong: taken instead of any matching. At least 3 different
+            ones; of more than ``max_correspondences`` so many, evenly spread over the list.
         callback: called with a :class:`pyemtr.Progress` before each stage and after each
             iteration. Return True to stop: the result then has the reason "interrupted". What
             it raises stops the run and reaches the caller. Ctrl-C is looked at as often, with
@@ -66,9 +82,10 @@ def register(
 
     Raises:
         TypeError: an argument of a wrong type, an unknown setting.
-        ValueError: a wrong shape, a value out of range, a cloud that cannot be registered
-            (fewer than 10 finite points, all on one point or one line), priors that contradict
-            each other.
+        ValueError: a wrong shape, a value out of range, a correspondence of points that there are
+            not or that are not finite, a cloud that cannot be registered
+            (fewer than 10 finite points, all on one point or one line), priors that
+            contradict each other.
         MemoryError: an allocation failed.
         RuntimeError: a defect of the library.
     """
@@ -83,7 +100,11 @@ def register(
         axis,
         translation_bounds,
     )
+    keep = take_correspondences(chosen, correspondences)
     raw = _emtr.register(
-        as_cloud(source, "source"), as_cloud(target, "target"), chosen, as_raw_callback(callback)
+        as_cloud(source, "source", source_normals, source_features, keep),
+        as_cloud(target, "target", target_normals, target_features, keep),
+        chosen,
+        as_raw_callback(callback),
     )
     return make_result(raw, settings_used(chosen))

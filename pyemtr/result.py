@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from .alternative import Alternative
 from .arrays import Floats, as_points
+from .distances import residuals
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -28,15 +29,21 @@ class Result:
         fitness: mean M-estimator over both dense clouds, 0 (best) to 1.
         inlier_ratio_source, inlier_ratio_target: share of dense points with a neighbour in the
             other cloud.
-        inlier_rmse: of the source inliers to their nearest target point; NaN without inliers.
         mode_gap: fitness of the best clearly different pose minus this pose's.
+        overlap_source, overlap_target: share of the cloud's points that have a partner, the
+            nearest point of the other's fine cloud, within ``leaf_fine``; asked are up to 5000
+            of them. NaN when interrupted, as the two below.
+        inlier_rmse: root mean square distance of the source's points that have one to their
+            partners (point to point); NaN when none has.
+        inlier_rmse_plane: the same to the partners' tangent planes, which does not grow with the
+            spacing of the points.
         points_source, points_target: finite points; dropped_source, dropped_target: the others.
         sparse_source, sparse_target, dense_source, dense_target: points of the thinned clouds.
         correspondences, tims, tims_pruned: feature matches, their pairs, and how many of these
             can be an inlier of no rotation.
         lookups: nearest neighbour look-ups ("evaluation", "switch", "complement").
         scale, center_source, center_target: the normalised frame, p' = (p - center) / scale.
-        leaf_sparse, leaf_dense: edge of the thinning voxels, normalised frame.
+        leaf_sparse, leaf_dense, leaf_fine: edge of the thinning voxels, normalised frame.
         timings: wall seconds by stage, 0 for one that did not run, and "total".
         iterations: done.
         history: best fitness so far after each iteration, float64 (iterations,), of the tasks
@@ -72,8 +79,11 @@ class Result:
     fitness: float
     inlier_ratio_source: float
     inlier_ratio_target: float
-    inlier_rmse: float
     mode_gap: float
+    overlap_source: float
+    overlap_target: float
+    inlier_rmse: float
+    inlier_rmse_plane: float
     points_source: int
     points_target: int
     dropped_source: int
@@ -91,6 +101,7 @@ class Result:
     center_target: Floats
     leaf_sparse: float
     leaf_dense: float
+    leaf_fine: float
     timings: dict[str, float]
     iterations: int
     history: dict[str, Floats]
@@ -121,6 +132,17 @@ class Result:
         source = as_points(points, "points").astype(np.float64)
         return np.asarray(source @ self.transformation[:3, :3].T + self.transformation[:3, 3])
 
+    def residuals(
+        self, source: Any, target: Any, *, of: str = "source", threads: int = 0
+    ) -> Floats:
+        """The distance of each moved source point to the nearest target point, float64 (N,), or
+        with ``of="target"`` that of each target point to the nearest moved source point, (M,).
+
+        :func:`pyemtr.residuals` at this pose, which says the rest. Raises ValueError when there
+        is none.
+        """
+        return residuals(source, target, self.transformation, of=of, threads=threads)
+
     def to_dict(self) -> dict[str, Any]:
         """All fields as JSON knows them: lists for arrays, None for NaN and infinities, a dict
         with "transformation" and "score" for each alternative."""
@@ -131,10 +153,10 @@ class Result:
         rows = np.array2string(self.transformation, precision=6, suppress_small=True, prefix="    ")
         return (
             f"<pyemtr.Result: {verdict}{self._confidence_text()}\n"
-            f"  fitness {self.fitness:.4f}, mode gap {self.mode_gap:.4f},"
-            f" inlier rmse {self.inlier_rmse:.4g}\n"
-            f"  inliers {self.inlier_ratio_source:.1%} of the source,"
-            f" {self.inlier_ratio_target:.1%} of the target\n"
+            f"  fitness {self.fitness:.4f}, mode gap {self.mode_gap:.4f}\n"
+            f"  overlap {self.overlap_source:.1%} of the source,"
+            f" {self.overlap_target:.1%} of the target; rmse {self.inlier_rmse:.4g} to points,"
+            f" {self.inlier_rmse_plane:.4g} to planes\n"
             f"  transformation, source into target:\n    {rows}\n"
             f"  {self.iterations} iterations, seed {self.seed}, {self.threads} threads,"
             f" {self.kernel}, {self.timings['total']:.3f} s>"

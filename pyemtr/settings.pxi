@@ -19,7 +19,7 @@ def describe_settings():
     cdef emtr_setting_info info
     found = []
     for index in range(emtr_setting_count()):
-        check(emtr_setting_describe(index, &info))
+        check(emtr_setting_describe(index, &info, sizeof(info)))
         found.append((info.name.decode(), SETTING_TYPES[info.type], info.unit.decode(),
                       info.minimum, info.maximum, info.value, info.part.decode(),
                       info.text.decode(), info.choices.decode()))
@@ -30,6 +30,7 @@ def describe_settings():
 cdef class Settings:
     """A preset, to be changed."""
     cdef emtr_settings values
+    cdef const int32_t[:, ::1] pairs  # what values.correspondences points to
 
     def __init__(self, str preset not None):
         check(emtr_settings_init(&self.values, sizeof(emtr_settings), preset.encode()))
@@ -116,6 +117,19 @@ cdef class Settings:
         place(value[0], self.values.translation_minimum)
         place(value[1], self.values.translation_maximum)
         self.values.has_translation_bounds = 1
+
+    @property
+    def correspondences(self):
+        """How many, or None."""
+        return None if self.values.correspondences == NULL else self.values.correspondence_count
+
+    @correspondences.setter
+    def correspondences(self, const int32_t[:, ::1] value):
+        if value.shape[0] == 0 or value.shape[1] != 2:
+            raise ValueError("correspondences: int32 of shape (k, 2), k > 0, is expected")
+        self.pairs = value
+        self.values.correspondences = &value[0, 0]
+        self.values.correspondence_count = value.shape[0]
 
 
 cdef list listed(const double* values, size_t count):

@@ -40,13 +40,35 @@ class ProblemViews(ABC):
 
     @property
     def source_dense(self) -> Singles:
-        """float32 (n, 3); also the cloud that is described by features."""
+        """float32 (n, 3)."""
         return self._array("source_dense")
 
     @property
     def target_dense(self) -> Singles:
-        """float32 (n, 3); also the cloud that is described by features."""
+        """float32 (n, 3)."""
         return self._array("target_dense")
+
+    @property
+    def source_feature_points(self) -> Singles:
+        """float32 (n, 3), the points that are matched: those of the dense cloud, or those that
+        features or correspondences were handed in for."""
+        return self._array("source_feature_points")
+
+    @property
+    def target_feature_points(self) -> Singles:
+        """float32 (n, 3), likewise of the target."""
+        return self._array("target_feature_points")
+
+    @property
+    def source_feature_rows(self) -> NDArray[np.int32]:
+        """int32 (n,), where the feature points stand in the caller's array; empty when they are the
+        dense cloud."""
+        return self._array("source_feature_rows")[:, 0]
+
+    @property
+    def target_feature_rows(self) -> NDArray[np.int32]:
+        """int32 (n,), likewise of the target."""
+        return self._array("target_feature_rows")[:, 0]
 
     @property
     def source_normals(self) -> Singles:
@@ -60,18 +82,20 @@ class ProblemViews(ABC):
 
     @property
     def source_features(self) -> Singles:
-        """FPFH, float32 (n, 33), by rows of the dense cloud; NaN where there is none."""
+        """FPFH, float32 (n, 33), by rows of the dense cloud, NaN where there is none; or what was
+        handed in, by rows of the feature points; no rows with correspondences."""
         return self._array("source_features")
 
     @property
     def target_features(self) -> Singles:
-        """FPFH, float32 (n, 33), by rows of the dense cloud; NaN where there is none."""
+        """FPFH, float32 (n, 33), by rows of the dense cloud, NaN where there is none; or what was
+        handed in, by rows of the feature points; no rows with correspondences."""
         return self._array("target_features")
 
     @property
     def correspondences(self) -> NDArray[np.int32]:
-        """int32 (k, 2): rows of the source's and the target's dense cloud; the nearest
-        descriptors first."""
+        """int32 (k, 2): rows of the source's and the target's feature points; the nearest
+        descriptors first, or in the order in which they were handed in."""
         return self._array("correspondences")
 
     @property

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "settings.h"
 #include "tasks/euler.h"
 #include "team.h"
+#include "verdict/residuals.h"
 
 #define EMTR_TEXT_(x) #x
 #define EMTR_TEXT(x) EMTR_TEXT_(x)
@@ -62,6 +64,18 @@ T& required(T* pointer, const char* name) {
   return *pointer;
 }
 
+/// To a caller who was compiled with this header or a later one, whose further fields become zero.
+template <class Info>
+void hand_out(const Info& info, Info* out, std::size_t size) {
+  required(out, "info");
+  if (size < sizeof(Info))
+    throw emtr::Error(
+        EMTR_ERROR_ARGUMENT,
+        "size is " + std::to_string(size) + ", expected at least " + std::to_string(sizeof(Info)));
+  std::memset(static_cast<void*>(out), 0, size);
+  std::memcpy(static_cast<void*>(out), &info, sizeof(Info));
+}
+
 emtr::Settings& checked(emtr_settings* settings) {
   if (required(settings, "settings").size != sizeof(emtr_settings))
     throw emtr::Error(EMTR_ERROR_ARGUMENT, "settings: size is " + std::to_string(settings->size) +
@@ -79,6 +93,21 @@ emtr::Settings settings_or_preset(const emtr_settings* settings) {
 emtr::OnProgress progress_function(emtr_progress_fn progress, void* user) {
   if (!progress) return nullptr;
   return [=](const emtr_progress& p) { return progress(&p, user) != 0; };
+}
+
+emtr::Rigid rigid(const double T[16]) {
+  if (!emtr::is_rigid(T))
+    throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                      "transformation: expected a row-major 4x4 of a rotation, a translation "
+                      "and (0, 0, 0, 1)");
+  return emtr::from_matrix(T);
+}
+
+/// As the setting of that name.
+int thread_count(std::int32_t threads) {
+  emtr::Settings settings{};
+  emtr::set(settings, "threads", threads);
+  return emtr::thread_count(settings);
 }
 
 /// A problem that tasks can be evaluated on.
@@ -132,6 +161,24 @@ const char* emtr_status_text(emtr_status status) {
   return "unknown status";
 }
 
+const char* emtr_reason_name(emtr_reason reason) {
+  switch (reason) {
+    case EMTR_REASON_REGISTERED:
+      return "registered";
+    case EMTR_REASON_LOW_OVERLAP:
+      return "low_overlap";
+    case EMTR_REASON_AMBIGUOUS:
+      return "ambiguous";
+    case EMTR_REASON_FEW_MATCHES:
+      return "few_matches";
+    case EMTR_REASON_INTERRUPTED:
+      return "interrupted";
+    case EMTR_REASON_DEGENERATE:
+      return "degenerate";
+  }
+  return "unknown";
+}
+
 const char* emtr_reason_text(emtr_reason reason) {
   switch (reason) {
     case EMTR_REASON_REGISTERED:
@@ -178,13 +225,13 @@ const char* emtr_preset_name(size_t index) { return emtr::preset_name(index); }
 
 size_t emtr_setting_count(void) { return emtr::setting_count(); }
 
-emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info) {
+emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info, size_t size) {
   return guarded([&] {
     if (index >= emtr::setting_count())
       throw emtr::Error(EMTR_ERROR_ARGUMENT, "index is " + std::to_string(index) +
                                                  ", expected below " +
                                                  std::to_string(emtr::setting_count()));
-    required(info, "info") = emtr::setting(index).info;
+    hand_out(emtr::setting(index).info, info, size);
   });
 }
 
@@ -213,28 +260,40 @@ emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
   });
 }
 
+emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target, const double T[16],
+                           int32_t threads, double* of_source, double* of_target) {
+  return guarded([&] {
+    const emtr::Rigid pose = T ? rigid(T) : emtr::Rigid();
+    emtr::residuals(required(source, "source"), required(target, "target"), pose,
+                    thread_count(threads), of_source, of_target);
+  });
+}
+
 emtr_status emtr_prepare(const emtr_cloud* cloud, const char* name, int32_t threads,
                          emtr_prepared** prepared) {
   return guarded([&] {
     required(prepared, "prepared") = nullptr;
-    emtr::Settings settings = emtr::preset("paper");
-    emtr::set(settings, "threads", threads);
     *prepared = new emtr_prepared{std::make_shared<const emtr::PreparedCloud>(
-        required(cloud, "cloud"), name ? name : "", emtr::thread_count(settings))};
+        required(cloud, "cloud"), name ? name : "", thread_count(threads))};
   });
 }
 
 void emtr_prepared_free(emtr_prepared* prepared) { delete prepared; }
 
-emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info) {
+emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
+                                   size_t size) {
   return guarded([&] {
     const emtr::PreparedCloud& cloud = *required(prepared, "prepared").cloud;
-    emtr_prepared_info& out = required(info, "info");
+    emtr_prepared_info out{};
     out.points = cloud.count;
     out.dropped = cloud.dropped;
     out.kept = cloud.base.size();
     std::copy_n(cloud.center, 3, out.center);
     out.radius = cloud.radius;
+    out.normals = cloud.normals.size() != 0;
+    out.described = cloud.described.rows.size();
+    out.feature_dimension = cloud.described.dimension;
+    hand_out(out, info, size);
   });
 }
 
@@ -328,11 +387,8 @@ emtr_status emtr_particle_to_transformation(const emtr_problem* problem, const d
 emtr_status emtr_transformation_to_particle(const emtr_problem* problem, const double T[16],
                                             double particle[6]) {
   return guarded([&] {
-    if (!emtr::is_rigid(&required(T, "transformation")))
-      throw emtr::Error(EMTR_ERROR_ARGUMENT,
-                        "transformation: expected a row-major 4x4 of a rotation, a translation "
-                        "and (0, 0, 0, 1)");
-    const emtr::Rigid pose = checked(problem).frame.to_normalised(emtr::from_matrix(T));
+    const emtr::Rigid pose =
+        checked(problem).frame.to_normalised(rigid(&required(T, "transformation")));
     emtr::encode(pose, &required(particle, "particle"));
   });
 }
@@ -341,10 +397,11 @@ uint64_t emtr_problem_lookups(const emtr_problem* problem) {
   return problem ? problem->lookups.load() : 0;
 }
 
-emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info) {
+emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info,
+                                  size_t size) {
   return guarded([&] {
     const emtr_problem& p = checked(problem);
-    emtr_problem_info& out = required(info, "info");
+    emtr_problem_info out{};
     out.scale = p.frame.scale;
     std::copy_n(p.frame.center_source, 3, out.center_source);
     std::copy_n(p.frame.center_target, 3, out.center_target);
@@ -355,6 +412,7 @@ emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info
     out.tau = p.tau;
     out.tims = p.tims.formed();
     out.tims_pruned = p.tims.pruned;
+    hand_out(out, info, size);
   });
 }
 

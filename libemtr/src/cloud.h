@@ -19,6 +19,12 @@ struct Cloud {
     y.resize(n);
     z.resize(n);
   }
+
+  void set(std::size_t i, const float p[3]) {
+    x[i] = p[0];
+    y[i] = p[1];
+    z[i] = p[2];
+  }
 };
 
 }  // namespace emtr

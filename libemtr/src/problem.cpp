@@ -7,6 +7,7 @@
 #include "error.h"
 #include "features/kdtree_neighbors.h"
 #include "features/resolution.h"
+#include "frame/handed_matches.h"
 #include "parallel.h"
 #include "priors/make_prior.h"
 #include "registration.h"
@@ -24,23 +25,38 @@ std::unique_ptr<Neighbors> make_neighbors(int kind, const Cloud& cloud, float ra
   return make_neighbors(cloud, radius, leaf, queries, kernels);
 }
 
+/// What is kept of the settings: nothing of the caller's memory.
+Settings own(Settings settings) {
+  settings.correspondences = nullptr;
+  settings.correspondence_count = 0;
+  return settings;
+}
+
+/// With all its points, when the correspondences will ask for them.
+emtr_cloud kept(emtr_cloud cloud, const Settings& given) {
+  if (given.correspondences) cloud.keep_points = 1;
+  return cloud;
+}
+
 }  // namespace
 
 Problem::Problem(const emtr_cloud& source, const emtr_cloud& target, const Settings& s,
                  const OnProgress& on_progress)
-    : settings(s), kernels(select_kernels()) {
+    : settings(own(s)), kernels(select_kernels()) {
   validate(settings);
-  prepare([&] { return normalise(source, target, thread_count(settings)); }, on_progress);
+  prepare([&] { return normalise(kept(source, s), kept(target, s), thread_count(settings)); }, s,
+          on_progress);
 }
 
 Problem::Problem(const PreparedCloudPtr& source, const PreparedCloudPtr& target, const Settings& s,
                  const OnProgress& on_progress)
-    : settings(s), kernels(select_kernels()) {
+    : settings(own(s)), kernels(select_kernels()) {
   validate(settings);
-  prepare([&] { return normalise(source, target); }, on_progress);
+  prepare([&] { return normalise(source, target); }, s, on_progress);
 }
 
-void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress) {
+void Problem::prepare(const Normalise& normalised, const Settings& given,
+                      const OnProgress& on_progress) {
   Stopwatch watch;
   const auto stop = [&](const char* stage) {
     return stopped_ = on_progress && on_progress({stage, 0, 0, 0, 0});
@@ -63,17 +79,16 @@ void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress
 
   if (stop("features")) return;
   watch.lap();
-  const FeatureDefinition definition = feature_definition(settings, densities.leaf_dense);
-  const int threads = thread_count(settings);
-  source_features = describe(densities.source_dense, definition, kernels, threads);
-  target_features = describe(densities.target_dense, definition, kernels, threads);
+  take_handed(given);
+  describe_dense();
   seconds_.features = watch.lap();
 
   if (stop("matching")) return;
   watch.lap();
   match_features();
   // Neither needs the other, and both are mostly grids that one thread makes.
-  in_parallel(2, threads, [this](std::size_t i) { i == 0 ? make_tasks() : make_surfaces(); });
+  in_parallel(2, thread_count(settings),
+              [this](std::size_t i) { i == 0 ? make_tasks() : make_surfaces(); });
   seconds_.matching = watch.lap();
 
   if (settings.seeds == 0) return;
@@ -83,29 +98,62 @@ void Problem::prepare(const Normalise& normalised, const OnProgress& on_progress
   seconds_.seeds = watch.lap();
 }
 
+void Problem::take_handed(const Settings& given) {
+  const bool features = have_features(pair);
+  if (given.correspondences || given.correspondence_count) {
+    if (!given.correspondences)
+      throw Error(EMTR_ERROR_ARGUMENT, "correspondences: null, but correspondence_count is not 0");
+    HandedMatches matches = handed_matches(pair, given.correspondences, given.correspondence_count,
+                                           static_cast<std::size_t>(settings.max_correspondences));
+    handed = std::make_unique<FeatureClouds>(std::move(matches.clouds));
+    correspondences = std::move(matches.correspondences);
+  } else if (features) {
+    handed = std::make_unique<FeatureClouds>(handed_features(pair, densities.leaf_dense));
+  }
+}
+
+void Problem::describe_dense() {
+  FeatureDefinition definition = feature_definition(settings, densities.leaf_dense);
+  definition.trust_normals = trust_normals(pair);
+  definition.normals_only = handed != nullptr;
+  const int threads = thread_count(settings);
+  source_features =
+      describe(densities.source_dense, definition, kernels, threads, densities.source_normals);
+  target_features =
+      describe(densities.target_dense, definition, kernels, threads, densities.target_normals);
+}
+
 void Problem::match_features() {
-  correspondences = match(source_features, target_features,
-                          static_cast<std::size_t>(settings.max_correspondences), kernels,
-                          thread_count(settings));
+  const auto most = static_cast<std::size_t>(settings.max_correspondences);
+  if (!handed)
+    correspondences =
+        match(source_features, target_features, most, kernels, thread_count(settings));
+  else if (handed->source.dimension)
+    correspondences =
+        match(handed->source.view(), handed->target.view(), most, kernels, thread_count(settings));
   const auto resolution_of = [this](const Cloud& cloud) {
     return mean_resolution(cloud, densities.leaf_dense, kernels, thread_count(settings));
   };
   const double resolution =
       (resolution_of(densities.source_dense) + resolution_of(densities.target_dense)) / 2;
   tau = settings.tau_factor * resolution;
-  // The best of them are enough for the tasks; all of them look for seeds.
+  // The best of them are enough for the tasks, of those handed in, whose order says nothing, some
+  // from all over the list; all of them look for seeds.
   const std::size_t few = std::min(correspondences.size(),
                                    correspondence_cap(static_cast<std::size_t>(settings.max_tims)));
-  const std::vector<Correspondence> best(
-      correspondences.begin(), correspondences.begin() + static_cast<std::ptrdiff_t>(few));
-  tims = form_tims(densities.source_dense, densities.target_dense, best,
-                   TaskBeta::threshold(tau, settings));
+  const bool by_distance = !handed || handed->source.dimension;
+  const std::vector<Correspondence> best =
+      by_distance
+          ? std::vector<Correspondence>(correspondences.begin(),
+                                        correspondences.begin() + static_cast<std::ptrdiff_t>(few))
+          : spread(correspondences, few);
+  tims = form_tims(matched_source(), matched_target(), best, TaskBeta::threshold(tau, settings));
 }
 
 void Problem::find_seeds() {
   const double threshold = settings.seed_threshold * densities.leaf_dense;
-  const Consistency consistency(densities.source_dense, densities.target_dense, correspondences,
-                                threshold, kernels, thread_count(settings));
+  const Consistency consistency(matched_source(), matched_target(), correspondences, threshold,
+                                kernels, thread_count(settings));
   seeds = emtr::find_seeds(consistency, threshold, static_cast<std::size_t>(settings.seeds),
                            thread_count(settings));
 }

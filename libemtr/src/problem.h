@@ -10,6 +10,7 @@
 #include "features/matching.h"
 #include "features/tims.h"
 #include "frame/densities.h"
+#include "frame/handed_features.h"
 #include "priors/prior.h"
 #include "result.h"
 #include "seeds/seeds.h"
@@ -45,8 +46,15 @@ class Problem {
   const Frame& frame = pair.frame;
   PriorPtr prior;  ///< null when every pose is admissible
   Densities densities;
-  Features source_features, target_features;  ///< of the dense clouds
-  std::vector<Correspondence> correspondences;
+  Features source_features, target_features;  ///< of the dense clouds; no descriptors with `handed`
+  std::unique_ptr<FeatureClouds> handed;      ///< null when the dense clouds are matched
+  const Cloud& matched_source() const {
+    return handed ? handed->source.points : densities.source_dense;
+  }
+  const Cloud& matched_target() const {
+    return handed ? handed->target.points : densities.target_dense;
+  }
+  std::vector<Correspondence> correspondences;  ///< rows of matched_source(), matched_target()
   std::vector<Seed> seeds;
   double tau = 0;
   Tims tims;
@@ -58,7 +66,9 @@ class Problem {
 
  private:
   using Normalise = std::function<NormalisedPair()>;
-  void prepare(const Normalise& normalised, const OnProgress& on_progress);
+  void prepare(const Normalise& normalised, const Settings& given, const OnProgress& on_progress);
+  void take_handed(const Settings& given);
+  void describe_dense();
   void match_features();
   void make_tasks();
   void make_surfaces();

@@ -19,6 +19,13 @@ ProblemArrays::View ProblemArrays::view(emtr_array which) const {
   const auto plain = [](const std::vector<float>& values, std::size_t columns) {
     return View{values.data(), values.size() / columns, columns};
   };
+  const auto features = [&](const Features& dense, const FeatureCloud* handed) {
+    return handed && handed->dimension ? plain(handed->descriptors, handed->dimension)
+                                       : plain(dense.descriptors, kFeatureSize);
+  };
+  const auto rows = [](const FeatureCloud* handed) {
+    return handed ? View{handed->rows.data(), handed->rows.size(), 1} : View{nullptr, 0, 1};
+  };
   const Problem& p = problem_;
   switch (which) {
     case EMTR_SOURCE_SPARSE:
@@ -34,15 +41,23 @@ ProblemArrays::View ProblemArrays::view(emtr_array which) const {
     case EMTR_TARGET_NORMALS:
       return plain(p.target_features.normals, 3);
     case EMTR_SOURCE_FEATURES:
-      return plain(p.source_features.descriptors, kFeatureSize);
+      return features(p.source_features, p.handed ? &p.handed->source : nullptr);
     case EMTR_TARGET_FEATURES:
-      return plain(p.target_features.descriptors, kFeatureSize);
+      return features(p.target_features, p.handed ? &p.handed->target : nullptr);
     case EMTR_CORRESPONDENCES:
       return {p.correspondences.data(), p.correspondences.size(), 2};
     case EMTR_TIM_SOURCE:
       return interleaved(which, p.tims.source);
     case EMTR_TIM_TARGET:
       return interleaved(which, p.tims.target);
+    case EMTR_SOURCE_FEATURE_POINTS:
+      return interleaved(which, p.matched_source());
+    case EMTR_TARGET_FEATURE_POINTS:
+      return interleaved(which, p.matched_target());
+    case EMTR_SOURCE_FEATURE_ROWS:
+      return rows(p.handed ? &p.handed->source : nullptr);
+    case EMTR_TARGET_FEATURE_ROWS:
+      return rows(p.handed ? &p.handed->target : nullptr);
   }
   throw Error(EMTR_ERROR_ARGUMENT, "array: there is none of that number");
 }

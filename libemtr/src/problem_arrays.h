@@ -27,7 +27,7 @@ class ProblemArrays {
 
   const Problem& problem_;
   mutable std::mutex mutex_;
-  mutable std::array<std::vector<float>, EMTR_TIM_TARGET + 1> rows_;
+  mutable std::array<std::vector<float>, EMTR_TARGET_FEATURE_ROWS + 1> rows_;
 };
 
 }  // namespace emtr

@@ -6,6 +6,7 @@
 
 #include "priors/make_prior.h"
 #include "stopwatch.h"
+#include "verdict/agreement.h"
 #include "verdict/verdict.h"
 
 namespace emtr {
@@ -106,7 +107,9 @@ void Registration::describe_problem() {
   std::fill_n(r.hold_directions, 36, kUnknown);
   r.free_directions = -1;
   r.reason = EMTR_REASON_INTERRUPTED;
-  r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.inlier_rmse = r.mode_gap = kUnknown;
+  r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.mode_gap = kUnknown;
+  r.overlap_source = r.overlap_target = r.inlier_rmse = r.inlier_rmse_plane = kUnknown;
+  r.leaf_fine = kUnknown;
   r.confidence = r.score = r.fit = r.violation = r.score_gap = kUnknown;
 }
 
@@ -167,8 +170,15 @@ bool Registration::unsure() const {
   return settings_.escalation == Always || standing_.confidence < settings_.escalation_confidence;
 }
 
+const FineSurfaces& Registration::fine() {
+  if (!fine_)
+    fine_ = std::make_unique<FineSurfaces>(
+        fine_surfaces(problem_.pair, settings_.refine_leaf, problem_.kernels));
+  return *fine_;
+}
+
 void Registration::refine() {
-  refined_ = emtr::refine(problem_.pair, answer_, settings_, problem_.kernels, prior_);
+  refined_ = emtr::refine(fine(), answer_, settings_, problem_.kernels, prior_);
   answer_ = refined_.pose;
 }
 
@@ -181,7 +191,6 @@ void Registration::conclude(const Evolution& evolution) {
   r.fitness = v.fitness;
   r.inlier_ratio_source = v.inlier_ratio_source;
   r.inlier_ratio_target = v.inlier_ratio_target;
-  r.inlier_rmse = v.inlier_rmse * problem_.frame.scale;
   r.mode_gap = v.mode_gap;
   to_matrix(problem_.frame.to_user(answer_), r.transformation);
   r.alpha = evolution.history_alpha;
@@ -189,6 +198,7 @@ void Registration::conclude(const Evolution& evolution) {
 
   if (search_ && !search_->ranked().empty()) conclude_candidates();
   if (refined_.succeeded) conclude_refinement();
+  if (!stopped_) conclude_agreement();
 }
 
 void Registration::conclude_candidates() {
@@ -227,6 +237,16 @@ void Registration::conclude_refinement() {
     r.hold[i] = refined_.spectrum.values[i];
     std::copy_n(refined_.spectrum.directions[i], 6, r.hold_directions + 6 * i);
   }
+}
+
+void Registration::conclude_agreement() {
+  Result& r = *result_;
+  const Agreement agreement = agree(problem_.pair, fine(), answer_, problem_.kernels);
+  r.leaf_fine = fine().leaf();
+  r.overlap_source = agreement.overlap_source;
+  r.overlap_target = agreement.overlap_target;
+  r.inlier_rmse = agreement.rmse * r.scale;
+  r.inlier_rmse_plane = agreement.plane_rmse * r.scale;
 }
 
 }  // namespace emtr

@@ -25,10 +25,12 @@ class Registration {
   void rank(const Evolution& evolution);
   void settle();  ///< on the best candidate
   bool unsure() const;
+  const FineSurfaces& fine();
   void refine();
   void conclude(const Evolution& evolution);
   void conclude_candidates();
   void conclude_refinement();
+  void conclude_agreement();
   std::vector<Rigid> guess() const;
 
   const Problem& problem_;
@@ -40,6 +42,7 @@ class Registration {
   std::vector<Rigid> shortlist_;             ///< the best seeds
   Rigid answer_;                             ///< normalised frame
   Standing standing_;
+  std::unique_ptr<FineSurfaces> fine_;  ///< made when first asked for
   Refined refined_;
   bool stopped_ = false;
 };

@@ -54,7 +54,7 @@ const std::vector<Setting>& setting_table() {
       SETTING(injected_seeds, Integer, "particles", 0, 100000, 10, "seeds",
               "particles of both swarms that start at a seed", ""),
       SETTING(tau_factor, Real, "resolutions", 1e-3, 100, 0.5, "task beta",
-              "tau over the mean resolution of the feature clouds", ""),
+              "tau over the mean resolution of the dense clouds", ""),
       SETTING(inlier_threshold, Real, "tau", 1e-3, 1e3, 5, "task beta",
               "largest residual of a TIM inlier", ""),
       SETTING(outlier_penalty, Real, "tau", 1e-3, 1e6, 50, "task beta",

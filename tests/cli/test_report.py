@@ -40,14 +40,19 @@ def test_says_what_came_out(report, tmp_path, pair):
         "fitness",
         "inlier_ratio_source",
         "inlier_ratio_target",
-        "inlier_rmse",
         "mode_gap",
+        "overlap_source",
+        "overlap_target",
+        "inlier_rmse",
+        "inlier_rmse_plane",
         "score",
         "fit",
         "violation",
         "score_gap",
     }
-    assert all(0 <= quality[name] <= 1 for name in quality if "ratio" in name)
+    assert all(0 <= quality[name] <= 1 for name in quality if "ratio" in name or "lap" in name)
+    assert 0 < quality["inlier_rmse_plane"] < quality["inlier_rmse"]
+    assert report["residuals"] is None
     counts = report["counts"]
     assert counts["read_source"] == counts["points_source"] == len(pair.source)
     assert counts["read_target"] == counts["points_target"] == len(pair.target)
@@ -117,12 +122,14 @@ def test_is_strict_json_when_a_value_is_unknown(run, small, tmp_path):
     """Without any inlier there is no rmse, which JSON has no number for."""
     run(
         *small,
+        "--preset",
+        "paper",
         "--iterations",
         "1",
         "--population",
         "2",
-        "--scale-dense",
-        "0.1",
+        "--refine-leaf",
+        "0.001",
         "--report",
         "r.json",
     )

@@ -59,7 +59,11 @@ TEST_P(OfPreset, RegistersAPairAndFillsTheResult) {
     EXPECT_LE(ratio, 1);
   }
   EXPECT_GT(r->inlier_rmse, 0);
-  EXPECT_LT(r->inlier_rmse, 0.1 * pair.unit());
+  EXPECT_LT(r->inlier_rmse, r->leaf_fine * r->scale);
+  EXPECT_GT(r->inlier_rmse_plane, 0);
+  EXPECT_LT(r->inlier_rmse_plane, r->inlier_rmse);
+  EXPECT_GT(r->overlap_source, 0.5);
+  EXPECT_GT(r->overlap_target, 0.5);
   EXPECT_GT(r->mode_gap, 0);
   EXPECT_EQ(r->points_source, 4000u);
   EXPECT_EQ(r->points_target, 4000u);
@@ -172,7 +176,9 @@ void expect_same(const emtr::Result& a, const emtr::Result& b, const std::string
   EXPECT_TRUE(same(a.transformation, b.transformation)) << "answer";
   EXPECT_TRUE(same(a.fitness, b.fitness) && same(a.inlier_ratio_source, b.inlier_ratio_source) &&
               same(a.inlier_ratio_target, b.inlier_ratio_target) &&
-              same(a.inlier_rmse, b.inlier_rmse) && same(a.mode_gap, b.mode_gap) &&
+              same(a.inlier_rmse, b.inlier_rmse) && same(a.overlap_source, b.overlap_source) &&
+              same(a.overlap_target, b.overlap_target) && same(a.leaf_fine, b.leaf_fine) &&
+              same(a.inlier_rmse_plane, b.inlier_rmse_plane) && same(a.mode_gap, b.mode_gap) &&
               a.registered == b.registered && a.reason == b.reason)
       << "verdict";
 }
@@ -238,6 +244,8 @@ TEST(Registration, TheUnitScalesTheResultAndNothingElse) {
   const ResultPtr a = solve(one, preset("default")), b = solve(large, preset("default"));
   EXPECT_EQ(b->scale, unit * a->scale);
   EXPECT_EQ(b->inlier_rmse, unit * a->inlier_rmse);
+  EXPECT_EQ(b->inlier_rmse_plane, unit * a->inlier_rmse_plane);
+  EXPECT_EQ(b->overlap_source, a->overlap_source);
   EXPECT_EQ(b->score, a->score);
   EXPECT_EQ(b->confidence, a->confidence);
   EXPECT_EQ(b->leaf_dense, a->leaf_dense);

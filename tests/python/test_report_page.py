@@ -1,6 +1,7 @@
 """BENCHMARK.md: its parts, what is kept of a run, and the page made of it."""
 
 import argparse
+import dataclasses
 import json
 import math
 from pathlib import Path
@@ -9,6 +10,8 @@ import accuracy_fakes
 import pytest
 from accuracy_fakes import FakeEngine
 from emtr_bench import accuracy, pairs, records
+from emtr_bench.calibration.figures import calibration
+from emtr_bench.calibration.judged import Judged
 from emtr_bench.document import program, running
 from emtr_bench.document.page import page
 from emtr_bench.document.parts import NAMES, Part, all_parts
@@ -21,7 +24,7 @@ QUARTILES = {"low": 0.01, "median": 0.02, "high": 0.03}
 
 
 def parts_of(folder, presets=("paper",)):
-    return all_parts(folder, folder / "scaling.png", list(presets), smoke=False)
+    return all_parts(folder, folder, list(presets), smoke=False)
 
 
 def keep(part, value, status=0, **machine):
@@ -32,7 +35,7 @@ def keep(part, value, status=0, **machine):
 
 
 def text_of(parts, folder):
-    return page(parts, folder / "scaling.png", folder / "BENCHMARK.md")
+    return page(parts, folder, folder / "BENCHMARK.md")
 
 
 def test_each_preset_has_the_protocol_and_every_pair():
@@ -42,27 +45,34 @@ def test_each_preset_has_the_protocol_and_every_pair():
     for preset in ("paper", "fast"):
         assert (f"tools/bench/accuracy --preset {preset} --tier paper --transforms 20 --threads 2 "
                 f"--json=build/bench/accuracy-{preset}-paper.json") in lines  # fmt: skip
+    assert (
+        "tools/bench/calibration build/bench/accuracy-paper-all.json "
+        "build/bench/accuracy-fast-all.json --plot=build/bench/calibration.png "
+        "--json=build/bench/calibration.json"
+    ) in lines
     assert "tools/bench/regress --json=build/bench/regress.json" in lines
     assert len({part.json for part in parts}) == len(parts)
 
 
 def test_every_command_is_one_that_the_programs_take():
     from emtr_bench.arguments import parser as accuracy_parser
+    from emtr_bench.calibration.arguments import parser as calibration_parser
     from emtr_bench.peers.arguments import parser as peers_parser
     from emtr_bench.regress.arguments import parser as regress_parser
     from emtr_bench.stages.arguments import parser as stages_parser
 
-    parsers = {"accuracy": accuracy_parser, "peers": peers_parser, "regress": regress_parser,
+    parsers = {"accuracy": accuracy_parser, "calibration": calibration_parser,
+               "peers": peers_parser, "regress": regress_parser,
                "stages": stages_parser}  # fmt: skip
     for smoke in (False, True):
-        for part in all_parts(Path("b"), Path("p.png"), ["paper"], smoke):
+        for part in all_parts(Path("b"), Path("p"), ["paper"], smoke):
             if part.section in parsers:
                 parsers[part.section]().parse_args(part.command[1:])
 
 
 def test_what_was_not_measured_is_said(tmp_path):
     text = text_of(parts_of(tmp_path), tmp_path)
-    assert text.count("Not measured.") == 7 and "Nothing has been measured." in text
+    assert text.count("Not measured.") == 8 and "Nothing has been measured." in text
 
 
 def test_accuracy_is_rendered_from_its_own_json(tmp_path, monkeypatch):
@@ -76,6 +86,17 @@ def test_accuracy_is_rendered_from_its_own_json(tmp_path, monkeypatch):
     accuracy.main(["--transforms", "5", "--json", str(parts[0].json)], FakeEngine())
     keep(parts[0], json.loads(parts[0].json.read_text()))
     assert "| hare | 100.0 | Bunny | 0.000 | 0.233 |" in text_of(parts, tmp_path)
+
+
+def test_calibration_is_rendered_from_its_own_json(tmp_path):
+    runs = [Judged(0.95, True, True, True)] * 3 + [Judged(0.05, False, False, False)]
+    value = {"presets": {"fast": dataclasses.asdict(calibration(runs, 2))}}
+    (part,) = (p for p in parts_of(tmp_path) if p.section == "calibration")
+    keep(part, value)
+    text = text_of([part], tmp_path)
+    assert "| `fast` | 4 | 1 | 3 | 0.050 | 0.0025 | 1.0000 | 1.000 (0.439 to 1.000) |" in text
+    assert "| 0.50 to 1.00 | 3 | 0.950 | 1.000 | 0.439 to 1.000 |" in text
+    assert "](calibration.png)" in text
 
 
 def test_peers_are_rendered_from_their_own_json(tmp_path):
@@ -162,7 +183,7 @@ def test_only_what_is_asked_for_is_run(tmp_path, monkeypatch, only, ran):
     monkeypatch.setattr(program, "_run", lambda part: seen.append(part.section) or "")
     arguments = argparse.Namespace(only=only, smoke=True)
     out = tmp_path / "BENCHMARK.md"
-    assert program.make(tmp_path, tmp_path / "s.png", out, ["paper"], arguments) == 0
+    assert program.make(tmp_path, tmp_path, out, ["paper"], arguments) == 0
     there = [name for name in ran if (REPOSITORY / "tools" / "bench" / name).exists()]
     assert seen == there and out.read_text().startswith("# Benchmarks")
     assert not list(tmp_path.glob("*.part"))

@@ -59,6 +59,12 @@ def how_sure(source: NDArray[np.float32], target: NDArray[np.float32]) -> list[f
     return [other.score for other in others]
 
 
+def distances(source: NDArray[np.float32], result: pyemtr.Result) -> NDArray[np.float64]:
+    back: NDArray[np.float64] = result.residuals(source, source, of="target", threads=1)
+    print(back.max(), result.overlap_source + result.inlier_rmse_plane)
+    return pyemtr.residuals(source, source, result.transformation)
+
+
 def stage_by_stage(source: list[list[float]], target: NDArray[np.int16]) -> pyemtr.Result:
     problem = pyemtr.Problem(source, target, dense_points=1000)
     alpha = pyemtr.TaskAlpha(problem, stage="sparse")
@@ -86,3 +92,16 @@ def describe() -> str:
         for name, setting in pyemtr.settings().items()
     ]
     return "\n".join([pyemtr.__version__, *pyemtr.presets(), *lines])
+
+
+def brought_along(
+    source: NDArray[np.float32], target: NDArray[np.float32], codes: NDArray[np.float32]
+) -> NDArray[np.int32]:
+    model = pyemtr.Cloud(target, normals=target, features=codes, keep_points=True)
+    print(model.has_normals, model.described + 1)
+    result = pyemtr.register(source, model, source_normals=source, source_features=codes)
+    again = pyemtr.register(source, target, correspondences=[[0, 1], [2, 3], [4, 5]])
+    print(result.confidence + again.confidence)
+    problem = pyemtr.Problem(source, target, source_features=codes, target_features=codes)
+    rows: NDArray[np.int32] = problem.source_feature_rows[problem.correspondences[:, 0]]
+    return rows

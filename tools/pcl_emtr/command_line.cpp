@@ -69,10 +69,19 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                             "a text file of a 4x4 pose, source into target, to try among others; "
                             "the search does not stay near it, unless --guess-rotation or "
                             "--guess-translation say how near");
+  CLI::Option* correspondences =
+      file("--correspondences", options.correspondences.path,
+           "a text file of matches to take instead of our own: a line for each, the rows of a "
+           "source and a target point counted from 0");
+  options.fields.add_options(app);
   app.add_option("--preset", options.preset,
                  wrapped("the settings to begin with: " + preset_names(), 66))
       ->type_name("NAME");
   const Viewpoints viewpoints(app);
+  app.add_flag("--residuals", options.residuals,
+               wrapped("measure the distance of each moved source point to the nearest target "
+                       "point: field 'residual' in --aligned, how they spread in --report",
+                       66));
   app.add_flag("-q,--quiet", options.quiet,
                "say nothing on standard error but errors and warnings");
   bool reference = false;
@@ -102,8 +111,12 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   priors.apply(options.settings);
   options.viewpoints_from_files = viewpoints.from_files();
 
+  if (options.residuals && options.aligned.empty() && options.report.empty())
+    throw UsageFailure("--residuals: expected --aligned or --report to write them to");
   std::vector<NamedFile> input_files = {{"source", options.source}, {"target", options.target}};
   if (guess->count()) input_files.push_back({"--guess", options.guess});
+  if (correspondences->count())
+    input_files.push_back({"--correspondences", options.correspondences.path});
   std::vector<NamedFile> output_files;
   for (const CLI::Option* output : outputs)
     if (output->count()) output_files.push_back({output->get_name(), output->as<std::string>()});

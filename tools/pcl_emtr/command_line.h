@@ -5,6 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "correspondence_file.h"
+#include "handed_fields.h"
+
 namespace cli {
 
 /// What the user asked for, checked. Files that were not named are empty.
@@ -15,8 +18,11 @@ struct Options {
   std::string aligned;  // the moved source
   std::string report;
   std::string guess;
+  HandedFields fields;
+  CorrespondenceFile correspondences;
   std::string preset = "default";
   bool viewpoints_from_files = true;  // of the clouds for which none was given
+  bool residuals = false;             // of the source's points, in --aligned and --report
   bool quiet = false;
   emtr_settings settings{};
 };

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <vector>
 
 #include "cloud_output.h"
 #include "command_line.h"
@@ -19,6 +20,7 @@
 #include "output_files.h"
 #include "registration.h"
 #include "report.h"
+#include "residuals.h"
 #include "talk.h"
 #include "viewpoints.h"
 
@@ -32,6 +34,11 @@ void check_before(Options& options) {
   if (!options.guess.empty()) {
     read_matrix(options.guess, options.settings.guess);
     options.settings.has_guess = 1;
+  }
+  if (!options.correspondences.path.empty()) {
+    options.correspondences = read_correspondences(options.correspondences.path);
+    options.settings.correspondences = options.correspondences.pairs.data();
+    options.settings.correspondence_count = options.correspondences.size();
   }
   for (const auto* path : {&options.output, &options.aligned, &options.report})
     if (!path->empty()) OutputFiles::require_writable(*path);
@@ -47,16 +54,17 @@ void print_matrix(const std::string& text) {
 }
 
 void write_outputs(const Options& options, CloudFile& source, const CloudFile& target,
-                   const emtr_result& result) {
+                   const emtr_result& result, const std::vector<double>& residuals) {
   ignore_interrupts();
   OutputFiles files;
   const std::string matrix = matrix_text(result.transformation);
   if (!options.output.empty()) files.write_text(options.output, matrix);
   if (!options.report.empty())
-    files.write_text(options.report, report(options, source, target, result));
+    files.write_text(options.report, report(options, source, target, result, residuals));
   if (!options.aligned.empty()) {
     using RowMajor = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
     move_cloud(source, Eigen::Map<const RowMajor>(result.transformation));
+    if (options.residuals) set_residuals(source, residuals);
     files.write(options.aligned, [&](const std::string& temporary) {
       write_cloud(source, options.aligned, temporary);
     });
@@ -75,6 +83,7 @@ int run(int argc, char** argv) {
   CloudFile source = load_cloud(options.source);
   talk.loaded(source);
   if (!options.aligned.empty()) require_writable_as(options.aligned, source);
+  if (options.residuals && !options.aligned.empty()) require_place_for_residuals(source);
   CloudFile target = load_cloud(options.target);
   talk.loaded(target);
   emtr_settings& settings = options.settings;
@@ -86,7 +95,9 @@ int run(int argc, char** argv) {
   const Result result = run_registration(source, target, options);
   talk.registered(*result, settings);
   talk.verdict(*result);
-  write_outputs(options, source, target, *result);
+  std::vector<double> residuals;
+  if (options.residuals) residuals = measure_residuals(source, target, options, *result);
+  write_outputs(options, source, target, *result, residuals);
   if (!options.output.empty()) talk.saved(options.output, "4x4 matrix");
   if (!options.aligned.empty())
     talk.saved(options.aligned, std::to_string(source.size()) + " points");

@@ -21,7 +21,15 @@ int on_progress(const emtr_progress* progress, void* line) {
   const auto after = [&](const std::string& prefix) -> std::string {
     return message.compare(0, prefix.size(), prefix) == 0 ? message.substr(prefix.size()) : "";
   };
-  if (status == EMTR_ERROR_CLOUD) {
+  if (const auto what = after("correspondences: "); !what.empty()) {
+    const CorrespondenceFile& file = options.correspondences;
+    const auto colon = what.find(": ");
+    if (what.compare(0, 4, "row ") != 0 || colon == std::string::npos)
+      throw FileFailure(file.path, what);
+    const auto line = file.lines.at(std::stoul(what.substr(4)));
+    throw FileFailure(file.path, "line " + std::to_string(line) + what.substr(colon));
+  }
+  if (status == EMTR_ERROR_CLOUD || status == EMTR_ERROR_ARGUMENT) {
     if (const auto what = after("source cloud: "); !what.empty())
       throw FileFailure(options.source, what);
     if (const auto what = after("target cloud: "); !what.empty())
@@ -41,8 +49,12 @@ int on_progress(const emtr_progress* progress, void* line) {
 Result run_registration(const CloudFile& source, const CloudFile& target, const Options& options) {
   std::vector<double> source_copy;
   std::vector<double> target_copy;
-  const emtr_cloud source_points = coordinates(source, source_copy);
-  const emtr_cloud target_points = coordinates(target, target_copy);
+  emtr_cloud source_points = coordinates(source, source_copy);
+  emtr_cloud target_points = coordinates(target, target_copy);
+  std::vector<double> source_normals;
+  std::vector<double> target_normals;
+  options.fields.hand_in(source, source_points, source_normals);
+  options.fields.hand_in(target, target_points, target_normals);
 
   emtr_result* raw = nullptr;
   emtr_status status;

@@ -2,6 +2,7 @@
 
 #include "json_rows.h"
 #include "report_standing.h"
+#include "residuals.h"
 #include "setting_text.h"
 #include "versions.h"
 
@@ -16,7 +17,7 @@ Json settings_json(const emtr_settings& settings) {
   Json out;
   for (std::size_t i = 0; i < emtr_setting_count(); ++i) {
     emtr_setting_info info;
-    emtr_setting_describe(i, &info);
+    emtr_setting_describe(i, &info, sizeof info);
     double value = 0;
     emtr_setting_get(&settings, info.name, &value);
     switch (info.type) {
@@ -38,29 +39,10 @@ Json settings_json(const emtr_settings& settings) {
   return out;
 }
 
-/// Names that stay the same when the texts are polished.
-const char* reason_name(emtr_reason reason) {
-  switch (reason) {
-    case EMTR_REASON_REGISTERED:
-      return "registered";
-    case EMTR_REASON_LOW_OVERLAP:
-      return "low_overlap";
-    case EMTR_REASON_AMBIGUOUS:
-      return "ambiguous";
-    case EMTR_REASON_FEW_MATCHES:
-      return "few_matches";
-    case EMTR_REASON_INTERRUPTED:
-      return "interrupted";
-    case EMTR_REASON_DEGENERATE:
-      return "degenerate";
-  }
-  return "unknown";
-}
-
 }  // namespace
 
 std::string report(const Options& options, const CloudFile& source, const CloudFile& target,
-                   const emtr_result& r) {
+                   const emtr_result& r, const std::vector<double>& residuals) {
   Json out;
   out["versions"] = {
       {"emtr", emtr_version()}, {"pcl", PCL_VERSION_PRETTY}, {"eigen", eigen_version()}};
@@ -69,7 +51,8 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                   {"transformation", file_name(options.output)},
                   {"aligned", file_name(options.aligned)},
                   {"report", options.report},
-                  {"guess", file_name(options.guess)}};
+                  {"guess", file_name(options.guess)},
+                  {"correspondences", file_name(options.correspondences.path)}};
   out["preset"] = options.preset;
   out["seed"] = r.seed;
   out["threads"] = r.threads;
@@ -83,16 +66,23 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["translation_bounds"] =
       s.has_translation_bounds ? Json{s.translation_minimum, s.translation_maximum} : Json();
 
+  out["handed_in"] = {{"normals", options.fields.normals},
+                      {"features", file_name(options.fields.features)},
+                      {"correspondences", options.correspondences.size()}};
+
   out["registered"] = r.registered != 0;
-  out["reason"] = reason_name(r.reason);
+  out["reason"] = emtr_reason_name(r.reason);
   out["reason_text"] = emtr_reason_text(r.reason);
   out["confidence"] = r.confidence;
   out["transformation"] = rows<4>(r.transformation);
   out["quality"] = {{"fitness", r.fitness},
                     {"inlier_ratio_source", r.inlier_ratio_source},
                     {"inlier_ratio_target", r.inlier_ratio_target},
-                    {"inlier_rmse", r.inlier_rmse},
                     {"mode_gap", r.mode_gap},
+                    {"overlap_source", r.overlap_source},
+                    {"overlap_target", r.overlap_target},
+                    {"inlier_rmse", r.inlier_rmse},
+                    {"inlier_rmse_plane", r.inlier_rmse_plane},
                     {"score", r.score},
                     {"fit", r.fit},
                     {"violation", r.violation},
@@ -101,6 +91,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["refined"] = r.refined != 0;
   out["alternatives"] = alternatives_json(r);
   out["refinement"] = refinement_json(r);
+  out["residuals"] = options.residuals ? residuals_json(residuals) : Json();
   out["counts"] = {{"read_source", source.size()},         {"read_target", target.size()},
                    {"points_source", r.points_source},     {"points_target", r.points_target},
                    {"dropped_source", r.dropped_source},   {"dropped_target", r.dropped_target},
@@ -117,7 +108,8 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                   {"center_source", r.center_source},
                   {"center_target", r.center_target},
                   {"leaf_sparse", r.leaf_sparse},
-                  {"leaf_dense", r.leaf_dense}};
+                  {"leaf_dense", r.leaf_dense},
+                  {"leaf_fine", r.leaf_fine}};
   out["seconds"] = {{"load_source", source.milliseconds / 1e3},
                     {"load_target", target.milliseconds / 1e3},
                     {"frame", r.seconds_frame},

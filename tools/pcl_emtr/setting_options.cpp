@@ -35,7 +35,7 @@ SettingOptions::SettingOptions(CLI::App& app) {
   for (std::size_t i = 0; i < emtr_setting_count(); ++i) {
     entries_.push_back(std::make_unique<Entry>());
     Entry& entry = *entries_.back();
-    emtr_setting_describe(i, &entry.info);
+    emtr_setting_describe(i, &entry.info, sizeof entry.info);
   }
   for (auto& entry : entries_) {
     const std::string name = entry->info.name;

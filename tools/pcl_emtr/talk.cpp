@@ -106,9 +106,17 @@ void Talk::registered(const emtr_result& r, const emtr_settings& settings) const
   VALUE("%.1f", 100 * r.inlier_ratio_source);
   INFO(" %% of source, ");
   VALUE("%.1f", 100 * r.inlier_ratio_target);
-  INFO(" %% of target, their rmse ");
-  VALUE("%.4g", r.inlier_rmse);
+  INFO(" %% of target");
   standing(r);
+  INFO("  overlap ");
+  VALUE("%.1f", 100 * r.overlap_source);
+  INFO(" %% of source, ");
+  VALUE("%.1f", 100 * r.overlap_target);
+  INFO(" %% of target, its rmse ");
+  VALUE("%.4g", r.inlier_rmse);
+  INFO(" to points, ");
+  VALUE("%.4g", r.inlier_rmse_plane);
+  INFO(" to planes\n");
 }
 
 void Talk::standing(const emtr_result& r) const {

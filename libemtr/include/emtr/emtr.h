@@ -24,6 +24,14 @@
 #define EMTR_API __attribute__((visibility("default")))
 #endif
 
+/* Fields that an initialiser may leave out: in C they are zero by themselves. */
+#if defined(__cplusplus) && __cplusplus >= 201402L
+#define EMTR_ZERO \
+  {}
+#else
+#define EMTR_ZERO
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -86,7 +94,7 @@ typedef struct emtr_settings {
   int32_t injected_seeds; /* of them, particles of both swarms that start there */
 
   /* task beta */
-  double tau_factor;       /* tau / mean resolution of the feature clouds */
+  double tau_factor;       /* tau / mean resolution of the dense clouds */
   double inlier_threshold; /* in tau */
   double outlier_penalty;  /* eta, in tau */
 
@@ -177,6 +185,12 @@ typedef struct emtr_settings {
   double translation_minimum[3];
   double translation_maximum[3];
   double maximum_rotation; /* degrees of the whole rotation; 180: any */
+
+  /* matches made elsewhere, in the place of our own: pairs (row of the source's points, row of the
+   * target's), correspondence_count of them; null: none. At least 3 different ones, of finite
+   * points; of more than max_correspondences so many are taken, evenly spread over the list */
+  const int32_t* correspondences;
+  size_t correspondence_count;
 } emtr_settings;
 
 /* Fills *settings with a preset: "default" (also for a null pointer), "fast", "thorough" or
@@ -206,9 +220,12 @@ typedef struct emtr_setting_info {
   const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
 } emtr_setting_info;
 
-/* The settings that have a name (all but size, the vectors and their has_...), in a fixed order. */
+/* The settings that have a name (all but size, the vectors with their has_... and correspondences),
+ * in a fixed order. Here and below `size` is sizeof of the info as the caller was compiled: later
+ * versions append fields, and what this version does not know is set to zero. Less than this
+ * version's is an error. */
 EMTR_API size_t emtr_setting_count(void);
-EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info);
+EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info, size_t size);
 
 /* Sets or reads a setting by name. The range is checked here, contradictions between
  * settings when they are used. A seed above 2^53 must be set in the struct. */
@@ -223,12 +240,29 @@ typedef enum emtr_scalar { EMTR_FLOAT32 = 0, EMTR_FLOAT64 = 1 } emtr_scalar;
 /* x, y, z side by side in memory; `stride` bytes from one point to the next (0: packed).
  * No alignment is asked for. Points with a NaN or an infinity are dropped and counted.
  * Needed: at least 10 finite points, 10 also after thinning (some 25 well spread ones do), that
- * do not lie on one point or one line. */
+ * do not lie on one point or one line.
+ *
+ * What was computed elsewhere can be handed in, one row a point; null: none.
+ * Normals replace those that would be estimated. They need not be of unit length; a point whose
+ * normal has a NaN, an infinity or no length has none. Where both clouds have some, the side that
+ * they point to counts in the features.
+ * Features are descriptors of any kind, both clouds or none, compared by Euclidean distance: the
+ * mutual nearest ones are matched, as those of our own would be. A point whose row has a NaN or an
+ * infinity has none. Of a cloud with more than 20 000 described points one in each dense leaf is
+ * matched, the nearest to its middle. */
 typedef struct emtr_cloud {
   const void* points;
   size_t count;
   size_t stride;
   emtr_scalar scalar;
+  const void* normals EMTR_ZERO;      /* x, y, z, of the scalar of the points */
+  size_t normal_stride EMTR_ZERO;     /* bytes from one to the next, 0: packed */
+  const float* features EMTR_ZERO;    /* row-major (count, feature_dimension) */
+  size_t feature_dimension EMTR_ZERO; /* 1 to 65536 */
+  size_t feature_stride EMTR_ZERO;    /* bytes from one row to the next, 0: packed */
+  /* 1: to be registered with correspondences once it is prepared. All points are kept then, also of
+   * a cloud of more than 200 000, at 12 bytes each; smaller clouds always keep them */
+  int32_t keep_points EMTR_ZERO;
 } emtr_cloud;
 
 /* ---- progress ----------------------------------------------------------------------- */
@@ -259,6 +293,10 @@ typedef enum emtr_reason {
   EMTR_REASON_DEGENERATE = 5   /* the surfaces can slide or spin along themselves */
 } emtr_reason;
 
+/* A reason's short name, which stays the same: "registered", "low_overlap", "ambiguous",
+ * "few_matches", "interrupted", "degenerate". "unknown" for what is none. */
+EMTR_API const char* emtr_reason_name(emtr_reason reason);
+
 /* What a reason means, in a few words. Never null. */
 EMTR_API const char* emtr_reason_text(emtr_reason reason);
 
@@ -281,10 +319,19 @@ typedef struct emtr_result {
   double fitness;             /* mean of rho over both dense clouds, 0 (best) to 1 */
   double inlier_ratio_source; /* share of dense source points within c of the target */
   double inlier_ratio_target;
-  double inlier_rmse; /* of the source inliers to the nearest dense target point,
-                         user's unit; NaN when there are none */
-  double mode_gap;    /* fitness of the best clearly different pose (over 10 degrees
-                         or 0.15 radii away) minus that of this one */
+  double mode_gap; /* fitness of the best clearly different pose (over 10 degrees
+                      or 0.15 radii away) minus that of this one */
+
+  /* quality, at the fine clouds: both thinned by `leaf_fine`. Up to 5000 points of each cloud, as
+   * they were given (of a large one after its first thinning), evenly over their order, are asked
+   * for a partner: the nearest fine point of the other cloud, not more than leaf_fine away. NaN
+   * when interrupted */
+  double overlap_source; /* share of the source's points that have a partner */
+  double overlap_target;
+  double inlier_rmse;       /* root mean square over the source's points that have one, of the
+                               distance to it (point to point), user's unit; NaN when none has */
+  double inlier_rmse_plane; /* the same of the distance to the partner's tangent plane, which does
+                               not grow with the spacing of the points */
 
   /* counts */
   size_t points_source; /* finite */
@@ -310,6 +357,7 @@ typedef struct emtr_result {
   double center_target[3];
   double leaf_sparse; /* normalised frame */
   double leaf_dense;
+  double leaf_fine; /* NaN when interrupted */
 
   /* wall seconds */
   double seconds_frame;
@@ -332,7 +380,7 @@ typedef struct emtr_result {
 
   /* the answer's standing among the candidates */
   double confidence; /* held probability that the pose is right (within 5 degrees and 0.06 radii),
-                        0 to 1; NaN without candidates, as the four below */
+                        0 to 1, in steps of 1e-6; NaN without candidates, as the four below */
   double score;      /* fit - 2 violation, at most 1 */
   double fit;        /* how well the surfaces lie on each other, 0 to 1 (best) */
   double violation;  /* share of points in front of what the other scan saw */
@@ -370,6 +418,18 @@ EMTR_API emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* t
                                    const emtr_settings* settings, emtr_progress_fn progress,
                                    void* user, emtr_result** result);
 
+/* ---- residuals ---------------------------------------------------------------------- */
+
+/* How far each point is from the other cloud, once `transformation` (source into target, null for
+ * the identity) has moved the source: the distance to the nearest point, in the user's unit. Exact
+ * to 1e-6 of the other cloud's size, for clouds of any shape with one finite point or more; NaN
+ * for points with a NaN or an infinity. of_source has room for source->count numbers, of_target
+ * for target->count; null for what is not wanted. `threads` as in the settings, without influence
+ * on the numbers. */
+EMTR_API emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
+                                    const double transformation[16], int32_t threads,
+                                    double* of_source, double* of_target);
+
 /* ---- one cloud, many partners ------------------------------------------------------- */
 
 /* A cloud read, measured and, when it is large, thinned: what does not depend on its partner. It
@@ -389,10 +449,13 @@ typedef struct emtr_prepared_info {
   size_t kept;      /* points left by the thinning of a large cloud, else as many as `points` */
   double center[3]; /* centroid, user's unit */
   double radius;    /* largest distance from it, user's unit */
+  int32_t normals;  /* 1: it came with normals */
+  size_t described; /* points with features; of more than 200 000, those left by a thinning */
+  size_t feature_dimension;
 } emtr_prepared_info;
 
-EMTR_API emtr_status emtr_prepared_describe(const emtr_prepared* prepared,
-                                            emtr_prepared_info* info);
+EMTR_API emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
+                                            size_t size);
 
 /* As emtr_register(), to the same bits. `seconds_frame` is without the preparation. */
 EMTR_API emtr_status emtr_register_prepared(const emtr_prepared* source,
@@ -461,20 +524,28 @@ typedef struct emtr_problem_info {
   size_t tims_pruned; /* of these, not kept in the arrays */
 } emtr_problem_info;
 
-EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info);
+EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info,
+                                           size_t size);
 
 typedef enum emtr_array {
   EMTR_SOURCE_SPARSE = 0, /* float32 (n, 3), normalised frame, as all clouds below */
   EMTR_TARGET_SPARSE = 1,
-  EMTR_SOURCE_DENSE = 2, /* also the feature cloud */
+  EMTR_SOURCE_DENSE = 2,
   EMTR_TARGET_DENSE = 3,
   EMTR_SOURCE_NORMALS = 4, /* float32 (n, 3), NaN where there is none */
   EMTR_TARGET_NORMALS = 5,
-  EMTR_SOURCE_FEATURES = 6, /* float32 (n, 33) FPFH, NaN where there is none */
+  EMTR_SOURCE_FEATURES = 6, /* float32 (n, 33) FPFH, NaN where there is none; or those that were
+                               handed in; no rows when correspondences were */
   EMTR_TARGET_FEATURES = 7,
-  EMTR_CORRESPONDENCES = 8, /* int32 (k, 2): rows of source and target dense cloud */
+  EMTR_CORRESPONDENCES = 8, /* int32 (k, 2): rows of source and target feature points */
   EMTR_TIM_SOURCE = 9,      /* float32 (l, 3): p_k - p_j of those not pruned */
-  EMTR_TIM_TARGET = 10
+  EMTR_TIM_TARGET = 10,
+  EMTR_SOURCE_FEATURE_POINTS = 11, /* float32 (n, 3): the points that are matched: the dense cloud,
+                                      or those that features or correspondences were given for */
+  EMTR_TARGET_FEATURE_POINTS = 12,
+  EMTR_SOURCE_FEATURE_ROWS = 13, /* int32 (n, 1): their rows in the caller's array; no rows when
+                                    it is the dense cloud */
+  EMTR_TARGET_FEATURE_ROWS = 14
 } emtr_array;
 
 /* A view of one of the problem's arrays, row-major, valid until it is freed. */

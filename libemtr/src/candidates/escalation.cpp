@@ -10,14 +10,16 @@ namespace {
 
 constexpr int kNearest = 3;  // of each other, to be a match
 
-Features describe_towards(const Cloud& cloud, const Viewpoints& viewpoints, double leaf,
-                          const Settings& settings, const Kernels& kernels, int threads) {
+Features describe_towards(const Cloud& cloud, const Cloud& normals, bool trust,
+                          const Viewpoints& viewpoints, double leaf, const Settings& settings,
+                          const Kernels& kernels, int threads) {
   FeatureDefinition definition = feature_definition(settings, leaf);
+  definition.trust_normals = trust;
   definition.backend = FeatureBackend::Simd;
   if (!viewpoints.candidates.empty())
     for (std::size_t a = 0; a < 3; ++a)
       definition.viewpoint[a] = static_cast<float>(viewpoints.candidates.front().at[a]);
-  return describe(cloud, definition, kernels, threads);
+  return describe(cloud, definition, kernels, threads, normals);
 }
 
 }  // namespace
@@ -28,10 +30,11 @@ std::vector<Rigid> escalated_seeds(const NormalisedPair& pair, const Viewpoints&
   Settings many = settings;
   many.dense_points = settings.escalation_points;
   const Densities d = thin(pair, many);
-  const Features source =
-      describe_towards(d.source_dense, of_source, d.leaf_dense, settings, kernels, threads);
-  const Features target =
-      describe_towards(d.target_dense, of_target, d.leaf_dense, settings, kernels, threads);
+  const bool trust = trust_normals(pair);
+  const Features source = describe_towards(d.source_dense, d.source_normals, trust, of_source,
+                                           d.leaf_dense, settings, kernels, threads);
+  const Features target = describe_towards(d.target_dense, d.target_normals, trust, of_target,
+                                           d.leaf_dense, settings, kernels, threads);
 
   std::vector<Rigid> out;
   const auto search = [&](const Features& turned) {
@@ -46,7 +49,7 @@ std::vector<Rigid> escalated_seeds(const NormalisedPair& pair, const Viewpoints&
       out.push_back(seed.pose);
   };
   search(source);
-  const bool sure = of_source.candidates.size() == 1 && of_target.candidates.size() == 1;
+  const bool sure = trust || (of_source.candidates.size() == 1 && of_target.candidates.size() == 1);
   if (!sure) search(mirrored(source));
   return out;
 }

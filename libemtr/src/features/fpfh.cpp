@@ -14,11 +14,41 @@ FeatureDefinition feature_definition(const Settings& settings, double leaf) {
   return out;
 }
 
-Features describe(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
-                  int threads) {
+namespace {
+
+/// Turned to the viewpoint, as estimated ones are.
+Cloud facing(const Cloud& cloud, Cloud normals, const std::array<float, 3>& viewpoint) {
+  const auto [x, y, z] = viewpoint;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const float towards = ((x - cloud.x[i]) * normals.x[i] + (y - cloud.y[i]) * normals.y[i]) +
+                          (z - cloud.z[i]) * normals.z[i];
+    if (!(towards < 0)) continue;
+    for (auto* axis : {&normals.x, &normals.y, &normals.z}) (*axis)[i] = -(*axis)[i];
+  }
+  return normals;
+}
+
+Features described(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
+                   int threads, const Cloud& normals) {
+  if (normals.size() && definition.normals_only) {
+    Features out;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      out.normals.insert(out.normals.end(), {normals.x[i], normals.y[i], normals.z[i]});
+    return out;
+  }
   if (definition.backend == FeatureBackend::Simd)
-    return describe_by_kernels(cloud, definition, kernels, threads);
-  return describe_by_pcl(cloud, definition, threads);
+    return describe_by_kernels(cloud, definition, kernels, threads, normals);
+  return describe_by_pcl(cloud, definition, threads, normals);
+}
+
+}  // namespace
+
+Features describe(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
+                  int threads, const Cloud& normals) {
+  if (normals.size() == 0 || definition.trust_normals)
+    return described(cloud, definition, kernels, threads, normals);
+  return described(cloud, definition, kernels, threads,
+                   facing(cloud, normals, definition.viewpoint));
 }
 
 Features mirrored(const Features& features) {

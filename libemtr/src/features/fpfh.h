@@ -34,6 +34,8 @@ struct FeatureDefinition {
   double normal_radius, feature_radius;        ///< the second at least as large as the first
   std::array<float, 3> viewpoint = {0, 0, 0};  ///< normals point to it; the centroid by default
   FeatureBackend backend = FeatureBackend::Pcl;
+  bool trust_normals = true;  ///< given ones keep the side that they point to, else the viewpoint's
+  bool normals_only = false;  ///< no descriptors
 };
 
 /// What the settings ask for on a cloud thinned by that leaf.
@@ -41,9 +43,10 @@ FeatureDefinition feature_definition(const Settings& settings, double leaf);
 
 /// Normals as of pcl::NormalEstimationOMP and descriptors as of pcl::FPFHEstimationOMP, the latter
 /// over the points that have a normal. The cloud is finite. The result does not depend on the
-/// kernels or the threads.
+/// kernels or the threads. `normals`: one a point, NaN where there is none, to be used instead of
+/// the estimated ones; empty for none.
 Features describe(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
-                  int threads);
+                  int threads, const Cloud& normals = {});
 
 /// The features with all normals turned around: of the three histograms the first and the last
 /// are reversed, the second stays.

@@ -4,8 +4,10 @@
 
 namespace emtr {
 
-Features describe_by_pcl(const Cloud& cloud, const FeatureDefinition& definition, int threads);
+/// `normals` as in describe().
+Features describe_by_pcl(const Cloud& cloud, const FeatureDefinition& definition, int threads,
+                         const Cloud& normals);
 Features describe_by_kernels(const Cloud& cloud, const FeatureDefinition& definition,
-                             const Kernels& kernels, int threads);
+                             const Kernels& kernels, int threads, const Cloud& normals);
 
 }  // namespace emtr

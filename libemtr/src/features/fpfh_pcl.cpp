@@ -18,13 +18,16 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 /// is a small part of the time, and all lists together could be larger than the memory.
 class Description {
  public:
-  Description(const Cloud& cloud, const FeatureDefinition& definition, std::size_t threads)
+  Description(const Cloud& cloud, const FeatureDefinition& definition, std::size_t threads,
+              const Cloud& normals)
       : definition_(definition),
+        given_(normals),
         points_(to_pcl(cloud)),
         grid_(cloud, std::max(definition.normal_radius, definition.feature_radius / 2)),
         scratch_(threads),
-        features_{std::vector<float>(3 * cloud.size(), kNone),
-                  std::vector<float>(kFeatureSize * cloud.size(), kNone)} {
+        features_{
+            std::vector<float>(3 * cloud.size(), kNone),
+            std::vector<float>(definition.normals_only ? 0 : kFeatureSize * cloud.size(), kNone)} {
     normals_.resize(cloud.size());
     const auto rows = static_cast<Eigen::Index>(cloud.size());
     for (Eigen::MatrixXf& histograms : histograms_) histograms.setZero(rows, kBins);
@@ -33,9 +36,11 @@ class Description {
   Features run(Team& team) {
     const bool ordered = true;
     for_each_point(team, definition_.normal_radius, [this](std::size_t i, Scratch& s) {
+      if (given_.size()) return take_normal(row(i));
       s.neighbors.find(grid_, i, ordered, [](std::size_t) { return true; });
       estimate_normal(row(i), s.neighbors.index);
     });
+    if (definition_.normals_only) return std::move(features_);
     // FPFH must not meet a NaN, so it sees only the points that have a normal.
     const auto keep = [this](std::size_t k) { return has_normal(row(k)); };
     for_each_point(team, definition_.feature_radius, [&](std::size_t i, Scratch& s) {
@@ -74,6 +79,12 @@ class Description {
   std::size_t row(std::size_t sorted) const { return static_cast<std::size_t>(grid_.rows[sorted]); }
   bool has_normal(std::size_t at) const { return std::isfinite(normals_[at].normal_x); }
 
+  void take_normal(std::size_t at) {
+    const float normal[3] = {given_.x[at], given_.y[at], given_.z[at]};
+    std::copy_n(normal, 3, normals_[at].normal);
+    std::copy_n(normal, 3, &features_.normals[3 * at]);
+  }
+
   void estimate_normal(std::size_t at, const pcl::Indices& neighbors) {
     pcl::Normal& normal = normals_[at];
     Eigen::Vector4f plane;
@@ -98,6 +109,7 @@ class Description {
   }
 
   const FeatureDefinition& definition_;
+  const Cloud& given_;  // normals; empty for none
   pcl::PointCloud<pcl::PointXYZ>::Ptr points_;
   CellGrid grid_;
   std::vector<Scratch> scratch_;
@@ -108,9 +120,10 @@ class Description {
 
 }  // namespace
 
-Features describe_by_pcl(const Cloud& cloud, const FeatureDefinition& definition, int threads) {
+Features describe_by_pcl(const Cloud& cloud, const FeatureDefinition& definition, int threads,
+                         const Cloud& normals) {
   Features out;
-  Description description(cloud, definition, static_cast<std::size_t>(threads));
+  Description description(cloud, definition, static_cast<std::size_t>(threads), normals);
   Team::with(threads, [&](Team& team) { out = description.run(team); });
   return out;
 }

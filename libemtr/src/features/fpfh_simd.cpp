@@ -12,9 +12,10 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 class Description {
  public:
   Description(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
-              std::size_t threads)
+              std::size_t threads, const Cloud& normals)
       : definition_(definition),
         kernels_(kernels),
+        given_(normals),
         n_(cloud.size()),
         grid_(cloud, std::max(definition.normal_radius, definition.feature_radius / 2)),
         scratch_(threads),
@@ -22,11 +23,13 @@ class Description {
         histograms_(kDescriptorRow * n_) {
     normals_.resize(n_);
     features_.normals.resize(3 * n_);
-    features_.descriptors.assign(kDescriptor * n_, kNone);
+    if (!definition.normals_only) features_.descriptors.assign(kDescriptor * n_, kNone);
   }
 
   Features run(Team& team) {
-    estimate_normals(team);
+    given_.size() ? take_normals() : estimate_normals(team);
+    spread_normals();
+    if (definition_.normals_only) return std::move(features_);
     for_each_cell(grid_, team, [this](std::size_t cell, std::size_t thread) {
       pair_histograms(cell, scratch_[thread]);
     });
@@ -64,6 +67,17 @@ class Description {
     kernels_.least_directions(moments_.data(), n_, grid_.sorted.view(),
                               definition_.viewpoint.data(), normals_.x.data(), normals_.y.data(),
                               normals_.z.data());
+  }
+
+  void take_normals() {
+    for (std::size_t i = 0; i < n_; ++i) {
+      const auto row = static_cast<std::size_t>(grid_.rows[i]);
+      const float normal[3] = {given_.x[row], given_.y[row], given_.z[row]};
+      normals_.set(i, normal);
+    }
+  }
+
+  void spread_normals() {
     // Points without a normal are nobody's neighbours from here on.
     oriented_ = grid_.sorted;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -115,6 +129,7 @@ class Description {
 
   const FeatureDefinition& definition_;
   const Kernels& kernels_;
+  const Cloud& given_;  // normals, in the cloud's order; empty for none
   std::size_t n_;
   CellGrid grid_;
   std::vector<Scratch> scratch_;
@@ -127,9 +142,9 @@ class Description {
 }  // namespace
 
 Features describe_by_kernels(const Cloud& cloud, const FeatureDefinition& definition,
-                             const Kernels& kernels, int threads) {
+                             const Kernels& kernels, int threads, const Cloud& normals) {
   Features out;
-  Description description(cloud, definition, kernels, static_cast<std::size_t>(threads));
+  Description description(cloud, definition, kernels, static_cast<std::size_t>(threads), normals);
   Team::with(threads, [&](Team& team) { out = description.run(team); });
   return out;
 }

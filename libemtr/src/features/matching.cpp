@@ -14,39 +14,40 @@ constexpr std::size_t kRowsOfAPiece = 64;
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 /// The rows of the points that have a descriptor.
-std::vector<std::int32_t> described(const Features& features) {
+std::vector<std::int32_t> described(const DescriptorRows& features) {
   std::vector<std::int32_t> rows;
-  for (std::size_t i = 0; i < features.descriptors.size() / kFeatureSize; ++i)
+  for (std::size_t i = 0; i < features.count; ++i)
     if (features.valid(i)) rows.push_back(static_cast<std::int32_t>(i));
   return rows;
 }
 
-std::vector<float> packed(const Features& features, const std::vector<std::int32_t>& rows) {
-  std::vector<float> out(rows.size() * kDescriptor);
+std::vector<float> packed(const DescriptorRows& features, const std::vector<std::int32_t>& rows) {
+  std::vector<float> out(rows.size() * features.dimension);
   for (std::size_t i = 0; i < rows.size(); ++i)
-    std::copy_n(&features.descriptors[static_cast<std::size_t>(rows[i]) * kDescriptor], kDescriptor,
-                &out[i * kDescriptor]);
+    std::copy_n(features.row(static_cast<std::size_t>(rows[i])), features.dimension,
+                &out[i * features.dimension]);
   return out;
 }
 
 /// As the kernels want one of the two sides.
 class Blocks {
  public:
-  Blocks(const Features& features, const std::vector<std::int32_t>& rows)
+  Blocks(const DescriptorRows& features, const std::vector<std::int32_t>& rows)
       : blocks_((rows.size() + kDescriptorBlock - 1) / kDescriptorBlock),
-        values_(blocks_ * kDescriptor * kDescriptorBlock, kNone) {
+        dimension_(features.dimension),
+        values_(blocks_ * dimension_ * kDescriptorBlock, kNone) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const float* from = &features.descriptors[static_cast<std::size_t>(rows[i]) * kDescriptor];
-      float* to = &values_[i / kDescriptorBlock * kDescriptor * kDescriptorBlock];
-      for (std::size_t d = 0; d < kDescriptor; ++d)
+      const float* from = features.row(static_cast<std::size_t>(rows[i]));
+      float* to = &values_[i / kDescriptorBlock * dimension_ * kDescriptorBlock];
+      for (std::size_t d = 0; d < dimension_; ++d)
         to[d * kDescriptorBlock + i % kDescriptorBlock] = from[d];
     }
   }
-  DescriptorBlocks view() const { return {values_.data(), blocks_}; }
+  DescriptorBlocks view() const { return {values_.data(), blocks_, dimension_}; }
   std::size_t padded() const { return blocks_ * kDescriptorBlock; }
 
  private:
-  std::size_t blocks_;
+  std::size_t blocks_, dimension_;
   std::vector<float> values_;
 };
 
@@ -90,8 +91,9 @@ struct Nearest {
 
 }  // namespace
 
-std::vector<Correspondence> match_mutual(const Features& source, const Features& target, int k,
-                                         std::size_t most, const Kernels& kernels, int threads) {
+std::vector<Correspondence> match_mutual(const DescriptorRows& source, const DescriptorRows& target,
+                                         int k, std::size_t most, const Kernels& kernels,
+                                         int threads) {
   const std::vector<std::int32_t> s = described(source), t = described(target);
   if (s.empty() || t.empty() || k < 1) return {};
   const std::vector<float> rows = packed(source, s);
@@ -107,7 +109,7 @@ std::vector<Correspondence> match_mutual(const Features& source, const Features&
       if (backward.n == 0) backward = Nearest(columns.padded(), wanted);
       const std::size_t first = piece * kRowsOfAPiece;
       kernels.nearest_descriptors(
-          &rows[first * kDescriptor], std::min(kRowsOfAPiece, s.size() - first),
+          &rows[first * source.dimension], std::min(kRowsOfAPiece, s.size() - first),
           static_cast<std::int32_t>(first), columns.view(), forward.lists(first), backward.lists());
     });
   });

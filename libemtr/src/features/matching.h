@@ -12,14 +12,31 @@ struct Correspondence {
   std::int32_t source, target;
 };
 
-/// Pairs of which each point is among the k nearest of the other in FPFH space (k = 1: mutual
-/// nearest neighbours), no ratio test; of points at one distance the smallest row is the nearer.
-/// The `most` pairs with the smallest distance between descriptors, in that order.
-std::vector<Correspondence> match_mutual(const Features& source, const Features& target, int k,
-                                         std::size_t most, const Kernels& kernels, int threads);
+/// Descriptors of the points of a cloud, row-major (count, dimension), someone else's memory. A
+/// point whose first number is NaN has none.
+struct DescriptorRows {
+  const float* values;
+  std::size_t count, dimension;
+
+  DescriptorRows(const std::vector<float>& numbers, std::size_t size)
+      : values(numbers.data()), count(numbers.size() / size), dimension(size) {}
+  DescriptorRows(const Features& features)  // NOLINT: the descriptors of the features
+      : DescriptorRows(features.descriptors, kFeatureSize) {}
+
+  const float* row(std::size_t i) const { return values + i * dimension; }
+  bool valid(std::size_t i) const { return *row(i) == *row(i); }
+};
+
+/// Pairs of which each point is among the k nearest of the other by descriptor (k = 1: mutual
+/// nearest neighbours; both of one dimension), no ratio test; of points at one distance the
+/// smallest row is the nearer. The `most` pairs with the smallest distance between descriptors, in
+/// that order.
+std::vector<Correspondence> match_mutual(const DescriptorRows& source, const DescriptorRows& target,
+                                         int k, std::size_t most, const Kernels& kernels,
+                                         int threads);
 
 /// Mutual nearest neighbours.
-inline std::vector<Correspondence> match(const Features& source, const Features& target,
+inline std::vector<Correspondence> match(const DescriptorRows& source, const DescriptorRows& target,
                                          std::size_t most, const Kernels& kernels, int threads) {
   return match_mutual(source, target, 1, most, kernels, threads);
 }

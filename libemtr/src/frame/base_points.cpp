@@ -1,5 +1,6 @@
 #include "base_points.h"
 
+#include "../features/cubes.h"
 #include "../features/voxel_grid.h"
 #include "../parallel.h"
 #include "slabs.h"
@@ -7,39 +8,47 @@
 namespace emtr {
 namespace {
 
-constexpr float kLeaf = 0.004f;          // some tenth of the dense leaf
 constexpr std::size_t kMost = 1u << 20;  // above it the leaf is doubled
 
-Cloud all_points(const CloudReader& reader, const Extent& extent, int threads) {
+}  // namespace
+
+BasePoints all_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
+                      int threads) {
   std::vector<std::size_t> first(reader.blocks());
   std::size_t count = 0;
   for (std::size_t block = 0; block < first.size(); ++block) {
     first[block] = count;
     count += extent.finite[block];
   }
-  Cloud out;
-  out.resize(count);
+  BasePoints out;
+  out.points.resize(count);
+  if (normals) out.normals.resize(count);
   in_parallel(first.size(), threads, [&](std::size_t block) {
     std::size_t row = first[block];
-    reader.each_finite(block, [&](std::size_t, const double* p) {
+    reader.each_finite(block, [&](std::size_t i, const double* p) {
       float q[3];
       extent.to_unit_ball(p, q);
-      out.x[row] = q[0];
-      out.y[row] = q[1];
-      out.z[row] = q[2];
+      out.points.set(row, q);
+      if (normals) {
+        normals->read_direction(block * CloudReader::kBlock + i, q);
+        out.normals.set(row, q);
+      }
       ++row;
     });
   });
   return out;
 }
 
-}  // namespace
-
-Cloud base_points(const CloudReader& reader, const Extent& extent, int threads) {
-  if (extent.count <= kThinnedAbove) return all_points(reader, extent, threads);
-  float leaf = kLeaf;
-  Cloud out = thin_by_slabs(reader, extent, leaf, threads);
-  while (out.size() > kMost) out = voxel_grid(out, leaf *= 2);
+BasePoints base_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
+                       int threads) {
+  if (extent.count <= kThinnedAbove) return all_points(reader, normals, extent, threads);
+  float leaf = kBaseLeaf;
+  BasePoints out = thin_by_slabs(reader, normals, extent, leaf, threads);
+  while (out.points.size() > kMost) {
+    leaf *= 2;
+    if (normals) out.normals = mean_normals(out.points, out.normals, leaf);
+    out.points = voxel_grid(out.points, leaf);
+  }
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "../error.h"
@@ -54,6 +55,16 @@ class CloudReader {
   /// Reads one point; false when it is not finite.
   bool read(std::size_t index, double p[3]) const {
     return single_ ? read<float>(index, p) : read<double>(index, p);
+  }
+
+  /// Reads a point as a direction, made of unit length; NaN when it is not finite or has no length.
+  void read_direction(std::size_t index, float n[3]) const {
+    double v[3];
+    const bool finite = read(index, v);
+    const double length = std::hypot(v[0], v[1], v[2]);
+    for (int k = 0; k < 3; ++k)
+      n[k] = finite && length > 0 ? static_cast<float>(v[k] / length)
+                                  : std::numeric_limits<float>::quiet_NaN();
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../error.h"
+#include "../features/cubes.h"
 #include "../features/voxel_counter.h"
 #include "../features/voxel_grid.h"
 #include "../parallel.h"
@@ -92,6 +93,13 @@ Densities thin(const NormalisedPair& pair, const Settings& settings) {
   out.leaf_dense = find_leaf(dense_count, settings.dense_points, finest_leaf(pair, settings),
                              std::sqrt(10.0 / settings.dense_points));
   thin_both(out.leaf_dense, out.source_dense, out.target_dense);
+
+  const auto mean_of = [&](const Cloud& cloud, const Cloud& normals) {
+    return normals.size() ? mean_normals(cloud, normals, static_cast<float>(out.leaf_dense))
+                          : Cloud();
+  };
+  out.source_normals = mean_of(pair.source, pair.prepared_source->normals);
+  out.target_normals = mean_of(pair.target, pair.prepared_target->normals);
 
   require_some_left(out.source_dense, "source", out.leaf_dense, pair.frame.scale);
   require_some_left(out.target_dense, "target", out.leaf_dense, pair.frame.scale);

@@ -11,6 +11,7 @@ struct Densities {
   double leaf_sparse = 0, leaf_dense = 0;  ///< normalised frame
   Cloud source_sparse, target_sparse;
   Cloud source_dense, target_dense;
+  Cloud source_normals, target_normals;  ///< of the dense clouds, if the caller gave some (unit)
 };
 
 Densities thin(const NormalisedPair& pair, const Settings& settings);

@@ -8,6 +8,12 @@
 namespace emtr {
 namespace {
 
+Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(const Rigid& pose) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.R);
+}
+
+}  // namespace
+
 Cloud scaled(const Cloud& cloud, double factor) {
   Cloud out = cloud;
   if (factor == 1) return out;
@@ -15,12 +21,6 @@ Cloud scaled(const Cloud& cloud, double factor) {
     for (float& v : *axis) v = static_cast<float>(v * factor);
   return out;
 }
-
-Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(const Rigid& pose) {
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.R);
-}
-
-}  // namespace
 
 NormalisedPair normalise(PreparedCloudPtr source, PreparedCloudPtr target) {
   NormalisedPair pair;
@@ -32,6 +32,10 @@ NormalisedPair normalise(PreparedCloudPtr source, PreparedCloudPtr target) {
   pair.prepared_source = std::move(source);
   pair.prepared_target = std::move(target);
   return pair;
+}
+
+bool trust_normals(const NormalisedPair& pair) {
+  return pair.prepared_source->normals.size() && pair.prepared_target->normals.size();
 }
 
 NormalisedPair normalise(const emtr_cloud& source, const emtr_cloud& target, int threads) {

@@ -27,7 +27,14 @@ struct NormalisedPair {
   PreparedCloudPtr prepared_source, prepared_target;
 };
 
+/// All coordinates times a factor.
+Cloud scaled(const Cloud& cloud, double factor);
+
 NormalisedPair normalise(PreparedCloudPtr source, PreparedCloudPtr target);
+
+/// Whether both clouds came with normals: then the side that they point to is known of both, and
+/// the same. Beside estimated ones, given normals are no more than directions.
+bool trust_normals(const NormalisedPair& pair);
 
 /// Prepares the two clouds, named source and target, one after the other.
 NormalisedPair normalise(const emtr_cloud& source, const emtr_cloud& target, int threads);

@@ -3,11 +3,14 @@
 #include <emtr/emtr.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
-#include "../cloud.h"
+#include "base_points.h"
+#include "described_points.h"
 
 namespace emtr {
 
@@ -26,11 +29,21 @@ class PreparedCloud {
   /// (p - center) / radius: all finite points, or, of a large cloud, their centroids in cubes far
   /// smaller than any that the densities come down to.
   Cloud base;
+  Cloud normals;              ///< of the base points, see BasePoints; empty when none were given
+  DescribedPoints described;  ///< those that came with descriptors
+
+  /// Where a row of the caller's array lies, (p - center) / radius; false when it was dropped.
+  /// Throws Error when the cloud was thinned and did not ask to keep its points.
+  bool find(std::size_t row, float p[3]) const;
+  std::size_t rows() const { return count + dropped; }  ///< of the caller's array
 
   /// Mean distance of a base point to its nearest other; made when first asked for.
   double spacing() const;
 
  private:
+  const std::string title_;
+  Cloud kept_;                        ///< all finite points of a thinned cloud that keeps them
+  std::vector<std::int64_t> finite_;  ///< the caller's rows of all finite points, when some are not
   mutable std::once_flag spacing_once_;
   mutable double spacing_ = 0;
 };

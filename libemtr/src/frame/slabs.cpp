@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "../features/cubes.h"
 #include "../features/voxel_grid.h"
 #include "../parallel.h"
 
@@ -67,50 +68,57 @@ std::vector<std::size_t> cut(const std::vector<Block>& blocks, std::size_t layer
   return cuts;
 }
 
-Cloud gather(const CloudReader& reader, const Extent& extent, const std::vector<Block>& blocks,
-             std::size_t first, std::size_t last) {
+BasePoints gather(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
+                  const std::vector<Block>& blocks, std::size_t first, std::size_t last) {
   std::size_t count = 0;
   for (const Block& block : blocks) count += block.begin[last] - block.begin[first];
-  Cloud out;
-  out.resize(count);
+  BasePoints out;
+  out.points.resize(count);
+  if (normals) out.normals.resize(count);
   std::size_t row = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b)
     for (std::uint32_t i = blocks[b].begin[first]; i < blocks[b].begin[last]; ++i, ++row) {
       double p[3];
       float q[3];
-      reader.read(b * CloudReader::kBlock + blocks[b].places[i], p);
+      const std::size_t at = b * CloudReader::kBlock + blocks[b].places[i];
+      reader.read(at, p);
       extent.to_unit_ball(p, q);
-      out.x[row] = q[0];
-      out.y[row] = q[1];
-      out.z[row] = q[2];
+      out.points.set(row, q);
+      if (!normals) continue;
+      normals->read_direction(at, q);
+      out.normals.set(row, q);
     }
   return out;
 }
 
-void append(std::vector<float>& to, const std::vector<float>& from) {
-  to.insert(to.end(), from.begin(), from.end());
+void append(Cloud& to, const Cloud& from) {
+  to.x.insert(to.x.end(), from.x.begin(), from.x.end());
+  to.y.insert(to.y.end(), from.y.begin(), from.y.end());
+  to.z.insert(to.z.end(), from.z.begin(), from.z.end());
 }
 
 }  // namespace
 
-Cloud thin_by_slabs(const CloudReader& reader, const Extent& extent, float leaf, int threads) {
+BasePoints thin_by_slabs(const CloudReader& reader, const NormalReader* normals,
+                         const Extent& extent, float leaf, int threads) {
   const Layers layers(leaf);
   std::vector<Block> blocks(reader.blocks());
   in_parallel(blocks.size(), threads,
               [&](std::size_t i) { blocks[i] = sorted(reader, i, extent, layers); });
 
   const std::vector<std::size_t> cuts = cut(blocks, layers.size());
-  std::vector<Cloud> slabs(cuts.size() - 1);
+  std::vector<BasePoints> slabs(cuts.size() - 1);
   in_parallel(slabs.size(), threads, [&](std::size_t i) {
-    const Cloud slab = gather(reader, extent, blocks, cuts[i], cuts[i + 1]);
-    if (slab.size()) slabs[i] = voxel_grid(slab, leaf);
+    const BasePoints slab = gather(reader, normals, extent, blocks, cuts[i], cuts[i + 1]);
+    if (slab.points.size() == 0) return;
+    slabs[i].points = voxel_grid(slab.points, leaf);
+    if (normals) slabs[i].normals = mean_normals(slab.points, slab.normals, leaf);
   });
 
-  Cloud out;
-  for (const Cloud& slab : slabs) {
-    append(out.x, slab.x);
-    append(out.y, slab.y);
-    append(out.z, slab.z);
+  BasePoints out;
+  for (const BasePoints& slab : slabs) {
+    append(out.points, slab.points);
+    append(out.normals, slab.normals);
   }
   return out;
 }

@@ -62,9 +62,9 @@ struct SurfacePoint {
 constexpr std::size_t kListStep = 16;
 constexpr float kFarAway = 1e18f;
 
-constexpr std::size_t kMoments = 10;  ///< count, x, y, z, xx, xy, xz, yy, yz, zz
-constexpr std::size_t kBins = 11;     ///< of each of a descriptor's three histograms
-constexpr std::size_t kDescriptor = 3 * kBins;
+constexpr std::size_t kMoments = 10;            ///< count, x, y, z, xx, xy, xz, yy, yz, zz
+constexpr std::size_t kBins = 11;               ///< of each of a descriptor's three histograms
+constexpr std::size_t kDescriptor = 3 * kBins;  ///< numbers of FPFH
 constexpr std::size_t kDescriptorRow = 36;    ///< floats from one histogram to the next, zeros last
 constexpr std::size_t kDescriptorBlock = 32;  ///< descriptors side by side in a DescriptorBlocks
 
@@ -73,6 +73,7 @@ constexpr std::size_t kDescriptorBlock = 32;  ///< descriptors side by side in a
 struct DescriptorBlocks {
   const float* values;
   std::size_t blocks;
+  std::size_t dimension;  ///< numbers of each; kDescriptor is the fastest for its size
 };
 
 /// The k nearest of each of some items, nearest first: the j-th of item i stands at [j * stride +
@@ -153,10 +154,10 @@ struct Kernels {
   /// The squared distance to the nearest of the list.
   float (*least_squared)(const PointsView& list, const float* query);
 
-  /// Compares `count` descriptors, packed, with all of the blocks and enters each pair in both
-  /// lists, that of the rows and that of the columns. Row r is known to the columns as
-  /// first_row + r; call with growing first_row, so that of equal distances the smaller index
-  /// stays.
+  /// Compares `count` descriptors of the blocks' dimension, packed, with all of the blocks and
+  /// enters each pair in both lists, that of the rows and that of the columns. Row r is known to
+  /// the columns as first_row + r; call with growing first_row, so that of equal distances the
+  /// smaller index stays.
   void (*nearest_descriptors)(const float* rows, std::size_t count, std::int32_t first_row,
                               const DescriptorBlocks& columns, const NearestLists& of_rows,
                               const NearestLists& of_columns);

@@ -9,7 +9,8 @@ namespace {
 constexpr std::size_t kSide =
     std::size_t{2} * EMTR_REGISTER;  // columns at once; no sum goes across them
 constexpr std::size_t kRows = 4;     // rows at once
-constexpr std::size_t kTile = 64;    // blocks that stay in the cache while the rows pass
+constexpr std::size_t kTile =
+    64 * kDescriptor;  // numbers a column that stay in the cache while the rows pass
 using Columns = Floats<kSide>;
 
 inline void enter(const NearestLists& lists, std::size_t item, float squared, std::int32_t index) {
@@ -41,18 +42,20 @@ EMTR_INLINE void enter_all(const Columns& squared, std::size_t row, std::int32_t
   }
 }
 
-/// Number rows against kSide columns; the sum over the descriptor is taken in its order.
-template <std::size_t Number>
-EMTR_INLINE void compare(const float* rows, std::size_t row, std::int32_t first_row,
-                         const float* columns, std::size_t first_column,
+/// Number rows against kSide columns; the sum over the descriptor is taken in its order. Dimension
+/// is a constant or, where it is not known beforehand, a number.
+template <std::size_t Number, class Dimension>
+EMTR_INLINE void compare(Dimension dimension, const float* rows, std::size_t row,
+                         std::int32_t first_row, const float* columns, std::size_t first_column,
                          const NearestLists& of_rows, const NearestLists& of_columns) {
+  const std::size_t size = dimension;
   Columns sum[Number] = {};
 #pragma GCC unroll 1
-  for (std::size_t d = 0; d < kDescriptor; ++d) {
+  for (std::size_t d = 0; d < size; ++d) {
     const Columns column = loaded<kSide>(columns + d * kDescriptorBlock);
 #pragma GCC unroll 4
     for (std::size_t r = 0; r < Number; ++r) {
-      const Columns difference = all<kSide>(rows[(row + r) * kDescriptor + d]) - column;
+      const Columns difference = all<kSide>(rows[(row + r) * size + d]) - column;
       sum[r] = sum[r] + difference * difference;
     }
   }
@@ -60,28 +63,45 @@ EMTR_INLINE void compare(const float* rows, std::size_t row, std::int32_t first_
     enter_all(sum[r], row + r, first_row, first_column, of_rows, of_columns);
 }
 
-template <std::size_t Number>
-EMTR_INLINE void compare_tile(const float* rows, std::size_t row, std::int32_t first_row,
-                              const DescriptorBlocks& columns, std::size_t begin, std::size_t end,
-                              const NearestLists& of_rows, const NearestLists& of_columns) {
+template <std::size_t Number, class Dimension>
+EMTR_INLINE void compare_tile(Dimension dimension, const float* rows, std::size_t row,
+                              std::int32_t first_row, const DescriptorBlocks& columns,
+                              std::size_t begin, std::size_t end, const NearestLists& of_rows,
+                              const NearestLists& of_columns) {
   for (std::size_t b = begin; b < end; ++b)
     for (std::size_t side = 0; side < kDescriptorBlock; side += kSide)
-      compare<Number>(rows, row, first_row,
-                      columns.values + b * kDescriptor * kDescriptorBlock + side,
+      compare<Number>(dimension, rows, row, first_row,
+                      columns.values + b * dimension * kDescriptorBlock + side,
                       b * kDescriptorBlock + side, of_rows, of_columns);
 }
+
+template <class Dimension>
+EMTR_INLINE void compare_all(Dimension dimension, const float* rows, std::size_t count,
+                             std::int32_t first_row, const DescriptorBlocks& columns,
+                             const NearestLists& of_rows, const NearestLists& of_columns) {
+  const std::size_t tile = dimension < kTile ? kTile / dimension : 1;
+  for (std::size_t begin = 0; begin < columns.blocks; begin += tile) {
+    const std::size_t end = begin + tile < columns.blocks ? begin + tile : columns.blocks;
+    std::size_t row = 0;
+    for (; row + kRows <= count; row += kRows)
+      compare_tile<kRows>(dimension, rows, row, first_row, columns, begin, end, of_rows,
+                          of_columns);
+    for (; row < count; ++row)
+      compare_tile<1>(dimension, rows, row, first_row, columns, begin, end, of_rows, of_columns);
+  }
+}
+
+struct Fpfh {
+  constexpr operator std::size_t() const { return kDescriptor; }
+};
 
 void nearest_descriptors(const float* rows, std::size_t count, std::int32_t first_row,
                          const DescriptorBlocks& columns, const NearestLists& of_rows,
                          const NearestLists& of_columns) {
-  for (std::size_t begin = 0; begin < columns.blocks; begin += kTile) {
-    const std::size_t end = begin + kTile < columns.blocks ? begin + kTile : columns.blocks;
-    std::size_t row = 0;
-    for (; row + kRows <= count; row += kRows)
-      compare_tile<kRows>(rows, row, first_row, columns, begin, end, of_rows, of_columns);
-    for (; row < count; ++row)
-      compare_tile<1>(rows, row, first_row, columns, begin, end, of_rows, of_columns);
-  }
+  if (columns.dimension == kDescriptor)
+    compare_all(Fpfh{}, rows, count, first_row, columns, of_rows, of_columns);
+  else
+    compare_all(columns.dimension, rows, count, first_row, columns, of_rows, of_columns);
 }
 
 }  // namespace

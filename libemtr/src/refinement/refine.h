@@ -1,13 +1,13 @@
 #pragma once
 
-#include "../frame/frame.h"
 #include "../priors/prior.h"
 #include "../settings.h"
+#include "fine_surfaces.h"
 #include "spectrum.h"
 
 namespace emtr {
 
-/// The answer polished on fine clouds.
+/// The answer polished on the fine surfaces.
 struct Refined {
   bool succeeded = false;       ///< false: nothing held the pose, which is the one at the start
   Rigid pose;                   ///< normalised frame
@@ -18,7 +18,7 @@ struct Refined {
 };
 
 /// `prior`: what the pose keeps to, as the start does, or null.
-Refined refine(const NormalisedPair& pair, const Rigid& start, const Settings& settings,
+Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& settings,
                const Kernels& kernels, const Prior* prior = nullptr);
 
 }  // namespace emtr

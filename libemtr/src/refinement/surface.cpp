@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "../features/cubes.h"
+
 namespace emtr {
 namespace {
 
@@ -100,6 +102,13 @@ Cubes fill(const Cloud& cloud, const Lattice& lattice) {
   return cubes;
 }
 
+std::array<float, 3> centroid(const Cubes& cubes, std::size_t i) {
+  Moments own = cubes.before[i + 1];
+  subtract(own, cubes.before[i]);
+  return {static_cast<float>(own[1] / own[0]), static_cast<float>(own[2] / own[0]),
+          static_cast<float>(own[3] / own[0])};
+}
+
 /// A row of cubes beside the one at hand: keys from +first to +last, found by two cursors that
 /// only move forward as the one at hand does.
 struct Row {
@@ -156,11 +165,7 @@ Surface thin_surface(const Cloud& cloud, double leaf, double reach) {
   out.points.resize(n);
   out.normals.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    Moments own = cubes.before[i + 1];
-    subtract(own, cubes.before[i]);
-    out.points.x[i] = static_cast<float>(own[1] / own[0]);
-    out.points.y[i] = static_cast<float>(own[2] / own[0]);
-    out.points.z[i] = static_cast<float>(own[3] / own[0]);
+    out.points.set(i, centroid(cubes, i).data());
     Moments about{};
     for (Row& row : rows) {
       row.follow(cubes.keys, cubes.keys[i]);
@@ -173,6 +178,17 @@ Surface thin_surface(const Cloud& cloud, double leaf, double reach) {
     out.normals.y[i] = normal.y();
     out.normals.z[i] = normal.z();
   }
+  return out;
+}
+
+Surface thin_surface(const Cloud& cloud, const Cloud& normals, double leaf) {
+  Surface out;
+  out.leaf = leaf;
+  if (cloud.size() == 0) return out;
+  const Cubes cubes = fill(cloud, Lattice(cloud, leaf, 0));
+  out.points.resize(cubes.keys.size());
+  for (std::size_t i = 0; i < cubes.keys.size(); ++i) out.points.set(i, centroid(cubes, i).data());
+  out.normals = mean_normals(cloud, normals, static_cast<float>(leaf));
   return out;
 }
 

@@ -12,6 +12,10 @@ namespace emtr {
 /// has no normal. On normalised clouds only, `leaf` of 2e-3 and more.
 Surface thin_surface(const Cloud& cloud, double leaf, double reach = 2.0);
 
+/// The same centroids with the mean of the normals given for the points of their own cube, see
+/// mean_normals().
+Surface thin_surface(const Cloud& cloud, const Cloud& normals, double leaf);
+
 constexpr int kLeastForNormal = 5;
 
 }  // namespace emtr

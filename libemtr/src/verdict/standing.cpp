@@ -22,6 +22,9 @@ constexpr double kEvidence = 60;  // points that lie on the other cloud; fewer f
 constexpr double kBias = 19.1, kOfScore = 5.3, kOfGap = 2.05;
 constexpr double kLeast = 1e-3;  // of a score or gap, for its logarithm
 
+/// Digits that every C library's logarithm and exponential agree on.
+double rounded(double confidence) { return std::round(confidence * 1e6) / 1e6; }
+
 bool has_rival(const Candidate& best, const Standing& standing) {
   if (standing.others.empty()) return false;
   return standing.others.front().score > std::max(kFits, kAsGood * best.score);
@@ -48,6 +51,7 @@ Standing stand(const std::vector<Candidate>& ranked, std::size_t source, std::si
   const double evidence = std::min(best.fit.inliers_source * static_cast<double>(source),
                                    best.fit.inliers_target * static_cast<double>(target));
   if (evidence < kEvidence) out.confidence *= kWithRival * evidence / kEvidence;
+  out.confidence = rounded(out.confidence);
   return out;
 }
 

@@ -8,7 +8,7 @@ namespace emtr {
 /// How the best candidate stands among the others, and what may be believed of it.
 struct Standing {
   double gap = 0;                 ///< score minus that of the best clearly different candidate
-  double confidence = 0;          ///< held probability that it is right
+  double confidence = 0;          ///< held probability that it is right, a multiple of 1e-6
   std::vector<Candidate> others;  ///< clearly different from the best and from each other
 };
 

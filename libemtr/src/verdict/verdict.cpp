@@ -1,8 +1,6 @@
 #include "verdict.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "../candidates/modes.h"
 
@@ -11,21 +9,12 @@ namespace {
 
 constexpr std::size_t kFewMatches = 10;
 
-struct Inliers {
-  double ratio, squared_sum;
-  std::size_t count;
-};
-
-Inliers inliers(const std::vector<float>& squared, double scale) {
+/// Share of the distances that are below the scale of rho.
+double inlier_ratio(const std::vector<float>& squared, double scale) {
   const auto limit = static_cast<float>(scale) * static_cast<float>(scale);
-  Inliers out{0, 0, 0};
-  for (const float d : squared)
-    if (d < limit) {
-      ++out.count;
-      out.squared_sum += static_cast<double>(d);
-    }
-  out.ratio = static_cast<double>(out.count) / static_cast<double>(squared.size());
-  return out;
+  const auto inliers =
+      std::count_if(squared.begin(), squared.end(), [=](float d) { return d < limit; });
+  return static_cast<double>(inliers) / static_cast<double>(squared.size());
 }
 
 /// Mean dense fitness of the best pose that is a mode of its own; 1, the worst there is, when the
@@ -51,12 +40,8 @@ Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& al
 
   Verdict v;
   v.fitness = (source.rho_sum + target.rho_sum) / alpha.worst(EMTR_STAGE_DENSE);
-  const Inliers from_source = inliers(source.squared, c), from_target = inliers(target.squared, c);
-  v.inlier_ratio_source = from_source.ratio;
-  v.inlier_ratio_target = from_target.ratio;
-  v.inlier_rmse = from_source.count
-                      ? std::sqrt(from_source.squared_sum / static_cast<double>(from_source.count))
-                      : std::numeric_limits<double>::quiet_NaN();
+  v.inlier_ratio_source = inlier_ratio(source.squared, c);
+  v.inlier_ratio_target = inlier_ratio(target.squared, c);
   v.mode_gap = other_mode(evolution, pose, alpha) - v.fitness;
 
   if (evolution.stopped)

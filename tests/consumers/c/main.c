@@ -11,7 +11,7 @@ static void print(const double matrix[16]) {
 
 int main(void) {
   bumpy_pair pair;
-  emtr_cloud source = {NULL, 0, 0, EMTR_FLOAT32}, target = {NULL, 0, 0, EMTR_FLOAT32};
+  emtr_cloud source = {.scalar = EMTR_FLOAT32}, target = {.scalar = EMTR_FLOAT32};
   emtr_result* result = NULL;
   if (bumpy_pair_make(&pair, 4, 3000, 1.0)) return 1;
   source.points = pair.source;

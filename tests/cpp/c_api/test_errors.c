@@ -8,7 +8,7 @@
 static bumpy_pair pair;
 
 static emtr_cloud cloud_of(const float* points, size_t count) {
-  emtr_cloud cloud = {NULL, 0, 0, EMTR_FLOAT32};
+  emtr_cloud cloud = {.scalar = EMTR_FLOAT32};
   cloud.points = points;
   cloud.count = count;
   return cloud;

@@ -16,7 +16,7 @@ static void same(const emtr_result* a, const emtr_result* b) {
 }
 
 static emtr_cloud cloud_of(const float* points, size_t count) {
-  emtr_cloud cloud = {NULL, 0, 0, EMTR_FLOAT32};
+  emtr_cloud cloud = {.scalar = EMTR_FLOAT32};
   cloud.points = points;
   cloud.count = count;
   return cloud;
@@ -42,7 +42,7 @@ static void one_against_many(void) {
   CHECK_OK(emtr_prepare(&source, "source", 1, &a));
   CHECK_OK(emtr_prepare(&target, NULL, 0, &b));
   CHECK_OK(emtr_prepare(&third, NULL, 2, &c));
-  CHECK_OK(emtr_prepared_describe(a, &info));
+  CHECK_OK(emtr_prepared_describe(a, &info, sizeof info));
   CHECK(info.points == 3999 && info.dropped == 1 && info.kept == 3999);
   CHECK(info.radius == plain[0]->scale || info.radius < plain[0]->scale);
   CHECK(memcmp(info.center, plain[0]->center_source, sizeof info.center) == 0);
@@ -95,8 +95,10 @@ static void wrong_calls(void) {
   CHECK_ERROR(emtr_prepare(NULL, NULL, 0, &none), EMTR_ERROR_ARGUMENT, "cloud is null");
   CHECK_ERROR(emtr_prepare(&cloud, NULL, 0, NULL), EMTR_ERROR_ARGUMENT, "prepared is null");
   CHECK_ERROR(emtr_prepare(&cloud, NULL, -1, &none), EMTR_ERROR_SETTING, "threads");
-  CHECK_ERROR(emtr_prepared_describe(NULL, &info), EMTR_ERROR_ARGUMENT, "prepared is null");
-  CHECK_ERROR(emtr_prepared_describe(good, NULL), EMTR_ERROR_ARGUMENT, "info is null");
+  CHECK_ERROR(emtr_prepared_describe(NULL, &info, sizeof info), EMTR_ERROR_ARGUMENT,
+              "prepared is null");
+  CHECK_ERROR(emtr_prepared_describe(good, NULL, sizeof info), EMTR_ERROR_ARGUMENT, "info is null");
+  CHECK_ERROR(emtr_prepared_describe(good, &info, 8), EMTR_ERROR_ARGUMENT, "size is 8");
   CHECK_ERROR(emtr_register_prepared(NULL, good, NULL, NULL, NULL, &result), EMTR_ERROR_ARGUMENT,
               "source is null");
   CHECK_ERROR(emtr_register_prepared(good, NULL, NULL, NULL, NULL, &result), EMTR_ERROR_ARGUMENT,

@@ -86,12 +86,12 @@ static void wrong_calls(emtr_problem* problem) {
   CHECK(emtr_task_beta_evaluate(problem, particle, 1, NULL) == EMTR_ERROR_ARGUMENT);
   CHECK(emtr_complement(NULL, particle, particle) == EMTR_ERROR_ARGUMENT);
   CHECK(emtr_transformation_to_particle(problem, matrix, particle) != EMTR_OK); /* no rotation */
-  CHECK(emtr_problem_describe(problem, NULL) == EMTR_ERROR_ARGUMENT);
+  CHECK(emtr_problem_describe(problem, NULL, sizeof(emtr_problem_info)) == EMTR_ERROR_ARGUMENT);
 }
 
 int main(void) {
   bumpy_pair pair;
-  emtr_cloud source = {NULL, 0, 0, EMTR_FLOAT32}, target = {NULL, 0, 0, EMTR_FLOAT32};
+  emtr_cloud source = {.scalar = EMTR_FLOAT32}, target = {.scalar = EMTR_FLOAT32};
   emtr_problem* problem = NULL;
   emtr_problem_info info;
   emtr_result *at_once = NULL, *solved = NULL;
@@ -103,7 +103,8 @@ int main(void) {
   CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &at_once));
   CHECK_OK(emtr_problem_create(&source, &target, NULL, &problem));
   if (!problem || !at_once) return 1;
-  CHECK_OK(emtr_problem_describe(problem, &info));
+  CHECK_ERROR(emtr_problem_describe(problem, &info, 0), EMTR_ERROR_ARGUMENT, "size is 0");
+  CHECK_OK(emtr_problem_describe(problem, &info, sizeof info));
   arrays(problem, &info);
   tasks(problem, &pair, &info);
   wrong_calls(problem);

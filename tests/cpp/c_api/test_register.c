@@ -54,7 +54,10 @@ static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r,
   CHECK(r->fitness > 0 && r->fitness < 1 && r->mode_gap > 0);
   CHECK(r->inlier_ratio_source > 0.3 && r->inlier_ratio_source <= 1);
   CHECK(r->inlier_ratio_target > 0.3 && r->inlier_ratio_target <= 1);
-  CHECK(r->inlier_rmse > 0 && r->inlier_rmse < 0.1 * pair->unit);
+  CHECK(r->inlier_rmse > 0 && r->inlier_rmse < r->leaf_fine * r->scale);
+  CHECK(r->inlier_rmse_plane > 0 && r->inlier_rmse_plane < r->inlier_rmse);
+  CHECK(r->overlap_source > 0.5 && r->overlap_source <= 1);
+  CHECK(r->overlap_target > 0.5 && r->overlap_target <= 1);
   CHECK(r->points_source == pair->count && r->points_target == pair->count);
   CHECK(r->dropped_source == 0 && r->dropped_target == 0);
   CHECK(r->sparse_source > 0 && r->sparse_source < r->dense_source);
@@ -262,6 +265,29 @@ static void seed_threads_guess(const bumpy_pair* pair, const emtr_result* whole)
   emtr_result_free(result);
 }
 
+static void residuals(const bumpy_pair* pair, const emtr_result* result) {
+  const emtr_cloud source = {.points = pair->source, .count = pair->count, .scalar = EMTR_FLOAT32};
+  const emtr_cloud target = {.points = pair->target, .count = pair->count, .scalar = EMTR_FLOAT32};
+  const double scaling[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
+  double *here = malloc(pair->count * sizeof *here), *back = malloc(pair->count * sizeof *back);
+  size_t i, near = 0;
+  if (!here || !back) exit(1);
+  CHECK_OK(emtr_residuals(&source, &target, result->transformation, 2, here, back));
+  for (i = 0; i < pair->count; ++i) near += here[i] < result->leaf_fine * result->scale;
+  CHECK(fabs((double)near / (double)pair->count - result->overlap_source) < 0.06);
+  CHECK_OK(emtr_residuals(&source, &source, NULL, 0, here, NULL));
+  for (i = 0; i < pair->count; ++i) CHECK(here[i] == 0);
+  CHECK_OK(emtr_residuals(&source, &target, NULL, 0, NULL, NULL));
+  CHECK_ERROR(emtr_residuals(NULL, &target, NULL, 0, here, NULL), EMTR_ERROR_ARGUMENT, "source");
+  CHECK_ERROR(emtr_residuals(&source, NULL, NULL, 0, here, NULL), EMTR_ERROR_ARGUMENT, "target");
+  CHECK_ERROR(emtr_residuals(&source, &target, scaling, 0, here, NULL), EMTR_ERROR_ARGUMENT,
+              "transformation");
+  CHECK_ERROR(emtr_residuals(&source, &target, NULL, -1, here, NULL), EMTR_ERROR_SETTING,
+              "threads");
+  free(here);
+  free(back);
+}
+
 int main(void) {
   bumpy_pair pair, millimetres;
   emtr_result *whole, *result;
@@ -275,6 +301,7 @@ int main(void) {
   points_that_are_not_finite_are_dropped(pair);
   progress_and_stop(&pair, whole);
   seed_threads_guess(&pair, whole);
+  residuals(&pair, whole);
   emtr_result_free(whole);
   result = run(&millimetres, NULL, NULL, NULL);
   by_the_default_preset(&millimetres, result);

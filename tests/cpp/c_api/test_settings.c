@@ -6,6 +6,8 @@
 #include "check.h"
 
 static void texts(void) {
+  static const char* const names[] = {"registered",  "low_overlap", "ambiguous",
+                                      "few_matches", "interrupted", "degenerate"};
   char version[32];
   int i;
   snprintf(version, sizeof version, "%d.%d.%d", EMTR_VERSION_MAJOR, EMTR_VERSION_MINOR,
@@ -13,10 +15,13 @@ static void texts(void) {
   CHECK(strcmp(emtr_version(), version) == 0);
   for (i = EMTR_OK; i <= EMTR_ERROR_INTERNAL; ++i)
     CHECK(emtr_status_text((emtr_status)i) && *emtr_status_text((emtr_status)i));
-  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_DEGENERATE; ++i)
+  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_DEGENERATE; ++i) {
+    CHECK(strcmp(emtr_reason_name((emtr_reason)i), names[i]) == 0);
     CHECK(emtr_reason_text((emtr_reason)i) && *emtr_reason_text((emtr_reason)i));
+  }
   CHECK(emtr_status_text((emtr_status)99) != NULL);
   CHECK(emtr_reason_text((emtr_reason)99) != NULL);
+  CHECK(strcmp(emtr_reason_name((emtr_reason)99), "unknown") == 0);
   CHECK(*emtr_error_message() == '\0'); /* nothing has failed yet */
 }
 
@@ -40,7 +45,7 @@ static void presets(void) {
   for (i = 0; i < emtr_setting_count(); ++i) {
     emtr_setting_info info;
     double a = 0, b = 1;
-    CHECK_OK(emtr_setting_describe(i, &info));
+    CHECK_OK(emtr_setting_describe(i, &info, sizeof info));
     CHECK_OK(emtr_setting_get(&by_name, info.name, &a));
     CHECK_OK(emtr_setting_get(&by_null, info.name, &b));
     CHECK(a == b && a == info.value);
@@ -69,7 +74,7 @@ static void each_setting(void) {
     emtr_settings settings;
     double got = 0;
     CHECK_OK(emtr_settings_init(&settings, sizeof settings, NULL));
-    CHECK_OK(emtr_setting_describe(i, &info));
+    CHECK_OK(emtr_setting_describe(i, &info, sizeof info));
     CHECK(*info.name && *info.text && info.unit && info.part && info.choices);
     CHECK(info.minimum <= info.value && info.value <= info.maximum);
     CHECK((info.type == EMTR_SETTING_CHOICE) == (*info.choices != '\0'));
@@ -100,8 +105,24 @@ static void wrong_names(void) {
   CHECK(emtr_setting_set(NULL, "population", 30) == EMTR_ERROR_ARGUMENT);
   CHECK(emtr_setting_set(&settings, NULL, 30) == EMTR_ERROR_ARGUMENT);
   CHECK(emtr_setting_get(&settings, "population", NULL) == EMTR_ERROR_ARGUMENT);
-  CHECK(emtr_setting_describe(emtr_setting_count(), &info) == EMTR_ERROR_ARGUMENT);
-  CHECK(emtr_setting_describe(0, NULL) == EMTR_ERROR_ARGUMENT);
+  CHECK(emtr_setting_describe(emtr_setting_count(), &info, sizeof info) == EMTR_ERROR_ARGUMENT);
+  CHECK(emtr_setting_describe(0, NULL, sizeof info) == EMTR_ERROR_ARGUMENT);
+}
+
+/* A caller with an older header is refused, one with a later header gets zeros. */
+static void sizes(void) {
+  struct {
+    emtr_setting_info info;
+    char later[24];
+  } grown;
+  size_t i;
+  memset(&grown, 7, sizeof grown);
+  CHECK_ERROR(emtr_setting_describe(0, &grown.info, sizeof grown.info - 1), EMTR_ERROR_ARGUMENT,
+              "size is");
+  CHECK(grown.later[0] == 7);
+  CHECK_OK(emtr_setting_describe(0, &grown.info, sizeof grown));
+  CHECK(strcmp(grown.info.name, "seed") == 0);
+  for (i = 0; i < sizeof grown.later; ++i) CHECK(grown.later[i] == 0);
 }
 
 int main(void) {
@@ -109,5 +130,6 @@ int main(void) {
   presets();
   each_setting();
   wrong_names();
+  sizes();
   return check_result();
 }

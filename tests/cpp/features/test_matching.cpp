@@ -90,9 +90,9 @@ float squared_in_float(const emtr::Features& a, std::size_t i, const emtr::Featu
   return sum;
 }
 
-/// By sorting all of them.
-Pairs mutual_by_brute_force(const emtr::Features& a, std::size_t n, const emtr::Features& b,
-                            std::size_t m, std::size_t k) {
+/// By sorting all of them; squared(i, j) is the distance of source i to target j.
+template <class Squared>
+Pairs mutual_nearest(std::size_t n, std::size_t m, std::size_t k, const Squared& squared) {
   const auto best = [k](std::size_t others, const auto& distance) {
     std::vector<std::pair<float, std::size_t>> all;
     for (std::size_t j = 0; j < others; ++j) all.emplace_back(distance(j), j);
@@ -102,10 +102,10 @@ Pairs mutual_by_brute_force(const emtr::Features& a, std::size_t n, const emtr::
   };
   std::vector<std::vector<std::pair<float, std::size_t>>> backward;
   for (std::size_t j = 0; j < m; ++j)
-    backward.push_back(best(n, [&](std::size_t i) { return squared_in_float(a, i, b, j); }));
+    backward.push_back(best(n, [&](std::size_t i) { return squared(i, j); }));
   std::vector<std::tuple<float, std::int32_t, std::int32_t>> found;
   for (std::size_t i = 0; i < n; ++i)
-    for (const auto& [d, j] : best(m, [&](std::size_t o) { return squared_in_float(a, i, b, o); }))
+    for (const auto& [d, j] : best(m, [&](std::size_t o) { return squared(i, o); }))
       for (const auto& [e, back] : backward[j])
         if (back == i)
           found.emplace_back(d, static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
@@ -113,6 +113,12 @@ Pairs mutual_by_brute_force(const emtr::Features& a, std::size_t n, const emtr::
   Pairs out;
   for (const auto& [d, i, j] : found) out.emplace_back(i, j);
   return out;
+}
+
+Pairs mutual_by_brute_force(const emtr::Features& a, std::size_t n, const emtr::Features& b,
+                            std::size_t m, std::size_t k) {
+  return mutual_nearest(n, m, k,
+                        [&](std::size_t i, std::size_t j) { return squared_in_float(a, i, b, j); });
 }
 
 TEST(Matching, PairsAreWithinTheTopOfEachOtherInEachKernelAndForAnyThreads) {
@@ -129,6 +135,37 @@ TEST(Matching, PairsAreWithinTheTopOfEachOtherInEachKernelAndForAnyThreads) {
           EXPECT_EQ(pairs(emtr::match_mutual(a, b, k, 1000000, *kernels, threads)), expected)
               << kernels->name << " " << n << " x " << m << ", k = " << k;
     }
+  }
+}
+
+TEST(Matching, DescriptorsOfAnySizeAreComparedInEachKernelAndForAnyThreads) {
+  // Numbers past those of the size at hand, which must not count, are the other rows'.
+  for (const std::size_t dimension : {1u, 2u, 32u, 34u, 352u, 3000u}) {
+    const std::size_t n = 70, m = 90;
+    std::mt19937 random(static_cast<unsigned>(dimension));
+    const auto draw = [&](std::size_t rows) {
+      std::vector<float> values(rows * dimension);
+      for (float& v : values) v = static_cast<float>(random() % 100000) / 1000;
+      return values;
+    };
+    const auto a = draw(n), b = draw(m);
+    const auto squared = [&](std::size_t i, std::size_t j) {
+      float sum = 0;
+      for (std::size_t d = 0; d < dimension; ++d) {
+        const float off = a[dimension * i + d] - b[dimension * j + d];
+        sum += off * off;
+      }
+      return sum;
+    };
+    const Pairs expected = mutual_nearest(n, m, 2, squared);
+    ASSERT_FALSE(expected.empty());
+    for (const emtr::Kernels* kernels : emtr_test::kernels_here())
+      for (const int threads : {1, 3})
+        EXPECT_EQ(pairs(emtr::match_mutual(emtr::DescriptorRows(a, dimension),
+                                           emtr::DescriptorRows(b, dimension), 2, 1000000, *kernels,
+                                           threads)),
+                  expected)
+            << kernels->name << " " << dimension;
   }
 }
 

@@ -2,7 +2,10 @@
 #include <pcl/registration/emtr_ssc.h>
 #include <pcl/registration/incremental_registration.h>
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "support.h"
 
@@ -37,6 +40,30 @@ TEST_F(Usage, ThroughTheBaseClass) {
   base->setInputSource(Cloud::Ptr(new Cloud));
   base->align(output);
   EXPECT_FALSE(base->hasConverged());
+}
+
+TEST_F(Usage, ResidualsAreTheDistancesToTheNearestPoint) {
+  EXPECT_TRUE(reg.getSourceResiduals().empty());  // there is no pose yet
+  const auto indices = pcl::make_shared<pcl::Indices>();
+  for (int i = 0; i < static_cast<int>(source->size()); ++i)
+    if (i % 3) indices->push_back(i);
+  reg.setIndices(indices);
+  reg.align(output);
+  const std::vector<double> of_source = reg.getSourceResiduals(),
+                            of_target = reg.getTargetResiduals();
+  ASSERT_EQ(of_source.size(), output.size());
+  ASSERT_EQ(of_target.size(), target->size());
+  const auto nearest = [](const pcl::PointXYZ& point, const Cloud& cloud) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& other : cloud)
+      least = std::min(
+          least, static_cast<double>((point.getVector3fMap() - other.getVector3fMap()).norm()));
+    return least;
+  };
+  for (std::size_t i = 0; i < output.size(); i += 7)
+    EXPECT_NEAR(of_source[i], nearest(output[i], *target), 2e-6) << i;
+  for (std::size_t i = 0; i < target->size(); i += 7)
+    EXPECT_NEAR(of_target[i], nearest((*target)[i], output), 2e-6) << i;
 }
 
 TEST_F(Usage, InAnIncrementalRegistration) {

@@ -93,4 +93,22 @@ TEST(ThinSurface, OfNoPointsHasNone) {
   EXPECT_EQ(surface.leaf, 0.01);
 }
 
+TEST(ThinSurface, TakesTheNormalsThatAreGiven) {
+  const Cloud cloud = emtr_test::sphere(1, 20000, 0.001);
+  const double leaf = 0.05;
+  const Surface estimated = thin_surface(cloud, leaf);
+  const Surface surface = thin_surface(cloud, cloud, leaf);  // of a sphere they are the points
+  EXPECT_EQ(surface.points.x, estimated.points.x);
+  EXPECT_EQ(surface.points.y, estimated.points.y);
+  EXPECT_EQ(surface.points.z, estimated.points.z);
+  EXPECT_EQ(surface.leaf, leaf);
+  ASSERT_EQ(surface.normals.size(), surface.points.size());
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    const double x = surface.points.x[i], y = surface.points.y[i], z = surface.points.z[i];
+    const double dot =
+        x * surface.normals.x[i] + y * surface.normals.y[i] + z * surface.normals.z[i];
+    EXPECT_NEAR(dot, std::sqrt(x * x + y * y + z * z), 1e-3);
+  }
+}
+
 }  // namespace

@@ -10,7 +10,8 @@ from pyemtr.options import make_settings
 from .runner import Array, Options, Outcome, Run, Sensors, moved
 
 QUALITY = (
-    "fitness", "inlier_ratio_source", "inlier_ratio_target", "inlier_rmse", "mode_gap",
+    "fitness", "inlier_ratio_source", "inlier_ratio_target", "mode_gap", "overlap_source",
+    "overlap_target", "inlier_rmse", "inlier_rmse_plane",
     "confidence", "score", "fit", "violation", "score_gap",
 )  # fmt: skip
 COUNTS = (

@@ -6,6 +6,7 @@ import math
 import statistics
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
@@ -82,7 +83,18 @@ def figures(runs: list[Run]) -> Figures:
     )
 
 
-def verdict(runs: Iterable[Run]) -> tuple[float, float]:
+class Judged(Protocol):
+    """What is asked of a run here; NaN is no confidence."""
+
+    @property
+    def confidence(self) -> float: ...
+    @property
+    def joint(self) -> bool: ...
+    @property
+    def registered(self) -> bool: ...
+
+
+def verdict(runs: Iterable[Judged]) -> tuple[float, float]:
     """Precision and recall of `registered` against joint success, in percent."""
     runs = list(runs)
     precision = percent(run.joint for run in runs if run.registered)
@@ -90,7 +102,7 @@ def verdict(runs: Iterable[Run]) -> tuple[float, float]:
     return precision, recall
 
 
-def auc(runs: Iterable[Run]) -> float:
+def auc(runs: Iterable[Judged]) -> float:
     """Area under the ROC curve of the confidence, 0.5 for one that knows nothing: the chance that
     a right run has more of it than a wrong one, ties half. NaN without both kinds."""
     known = [run for run in runs if not math.isnan(run.confidence)]

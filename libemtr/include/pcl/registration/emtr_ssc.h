@@ -8,10 +8,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <pcl/registration/impl/emtr_ssc_handed.hpp>
 #include <pcl/registration/impl/emtr_ssc_prepared.hpp>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace pcl {
 
@@ -65,6 +67,12 @@ namespace pcl {
  * \note What can be made ready of a cloud by itself is made once and used again by the next align()
  * as long as its coordinates, and for the source the indices, stay the same: so one target serves
  * many sources, and one source many targets. A copy of the coordinates is kept for that.
+ *
+ * \note Normals, features and correspondences that were computed elsewhere can be handed in; the
+ * setters copy them. They belong to the clouds of setInputSource() and setInputTarget(), a row or
+ * an index a point of the whole cloud whatever setIndices() selects, and stay until they are set
+ * anew or cleared, for clouds to come as well. When they are not as many as the points, align()
+ * fails. The normals of a PointNormal cloud are not used by themselves.
  *
  * \note hasConverged() means that the pose is held to be right, not that the loop ended. An input
  * that cannot be registered is reported by PCL_ERROR and getErrorMessage(), hasConverged() is
@@ -129,9 +137,9 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * \return false, with a PCL_ERROR and \a value as it was, when the name is unknown */
   bool getSetting(const std::string& name, double& value) const;
 
-  /** \brief Replaces all settings at once, the viewpoints and priors too; they are checked by
-   * align().
-   * `iterations` becomes the maximum number of iterations. */
+  /** \brief Replaces all settings at once, the viewpoints and priors too but not the
+   * correspondences, see setCorrespondences(); they are checked by align(). `iterations` becomes
+   * the maximum number of iterations. */
   void setSettings(const emtr_settings& settings);
 
   /** \brief A copy of the settings, `iterations` being the maximum number of iterations. */
@@ -200,6 +208,58 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   /** \brief Only rotations of no more degrees than these, 0 to 180; 180: any. */
   void setMaximumRotation(double degrees) { settings_.maximum_rotation = degrees; }
 
+  /** \brief Hands in descriptors of the source's points, of any type that PCL has a
+   * DefaultPointRepresentation for, or of any Histogram; both clouds or none, of one type. They are
+   * matched in the place of our own FPFH. A point whose descriptor has a NaN has none. */
+  template <typename FeatureCloud>
+  void setSourceFeatures(const shared_ptr<FeatureCloud>& features) {
+    setFeatures(features, "setSourceFeatures", source_handed_, prepared_source_);
+  }
+
+  /** \brief The same by a representation of your own, which may scale or leave out numbers. */
+  template <typename FeatureCloud>
+  void setSourceFeatures(
+      const shared_ptr<FeatureCloud>& features,
+      const PointRepresentation<typename FeatureCloud::PointType>& representation) {
+    setFeatures(features, representation, source_handed_, prepared_source_);
+  }
+
+  /** \brief Hands in descriptors of the target's points; as setSourceFeatures(). */
+  template <typename FeatureCloud>
+  void setTargetFeatures(const shared_ptr<FeatureCloud>& features) {
+    setFeatures(features, "setTargetFeatures", target_handed_, prepared_target_);
+  }
+  template <typename FeatureCloud>
+  void setTargetFeatures(
+      const shared_ptr<FeatureCloud>& features,
+      const PointRepresentation<typename FeatureCloud::PointType>& representation) {
+    setFeatures(features, representation, target_handed_, prepared_target_);
+  }
+
+  /** \brief Hands in normals of the source's points, in the place of the estimated ones; of any
+   * length, NaN or zero where there is none. Null takes them back. */
+  void setSourceNormals(const PointCloud<Normal>::ConstPtr& normals) {
+    setNormals(normals, source_handed_, prepared_source_);
+  }
+
+  /** \brief Hands in normals of the target's points; as setSourceNormals(). */
+  void setTargetNormals(const PointCloud<Normal>::ConstPtr& normals) {
+    setNormals(normals, target_handed_, prepared_target_);
+  }
+
+  /** \brief Hands in matches in the place of our own: index_query of the source, index_match of the
+   * target; distance and weight are not used. At least three different ones of finite points, else
+   * align() fails; those of source points that setIndices() leaves out are left out too. Null takes
+   * them back. */
+  void setCorrespondences(const CorrespondencesConstPtr& correspondences);
+
+  /** \brief Take back what was handed in. */
+  void clearSourceFeatures() { clear(source_handed_.features, prepared_source_); }
+  void clearTargetFeatures() { clear(target_handed_.features, prepared_target_); }
+  void clearSourceNormals() { clear(source_handed_.normals, prepared_source_); }
+  void clearTargetNormals() { clear(target_handed_.normals, prepared_target_); }
+  void clearCorrespondences() { setCorrespondences(nullptr); }
+
   /** \brief Sets what is told of the progress, on the thread that calls align(); an empty function
    * for nothing. What it throws stops the run and comes out of align(), which then has no pose. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -211,6 +271,16 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   /** \brief How probable it is held that the final transformation is right, 0 to 1. NaN before any
    * align(), when it failed, and without candidates, as in preset "paper". */
   [[nodiscard]] double getConfidence() const;
+
+  /** \brief How far each point of the source (of the indices, if they are set; in the order of the
+   * output of align()) is from the nearest point of the target at the final transformation, in the
+   * clouds' unit; NaN for points that are not finite. Measured anew with each call.
+   * \return empty, with a PCL_ERROR, when there is no pose */
+  [[nodiscard]] std::vector<double> getSourceResiduals() const;
+
+  /** \brief How far each point of the target is from the nearest of the moved source points; as
+   * getSourceResiduals(). */
+  [[nodiscard]] std::vector<double> getTargetResiduals() const;
 
   /** \brief Why the last align() did or did not converge, in a few words; empty before it. */
   [[nodiscard]] std::string getReasonText() const;
@@ -244,6 +314,29 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   static void fillViewpoint(const Eigen::Vector4f& sensor_origin, std::int32_t& known,
                             double (&position)[3]);
 
+  static void clear(detail::HandedRows& handed, detail::PreparedInput& prepared);
+
+  static void setNormals(const PointCloud<Normal>::ConstPtr& normals, detail::HandedIn& handed,
+                         detail::PreparedInput& prepared);
+
+  template <typename FeatureCloud>
+  void setFeatures(const shared_ptr<FeatureCloud>& features, const char* setter,
+                   detail::HandedIn& handed, detail::PreparedInput& prepared);
+
+  template <typename FeatureCloud>
+  void setFeatures(const shared_ptr<FeatureCloud>& features,
+                   const PointRepresentation<typename FeatureCloud::PointType>& representation,
+                   detail::HandedIn& handed, detail::PreparedInput& prepared);
+
+  /** \brief Whether setIndices() selects the source as it is. */
+  [[nodiscard]] bool selectsAll() const;
+
+  /** \brief Makes the clouds ready with what was handed in, and \a pairs of the correspondences.
+   * \return false, with the message kept, on an error */
+  bool prepare(const PointCloudSource& source, std::int32_t threads,
+               std::shared_ptr<const emtr_prepared> (&prepared)[2],
+               std::vector<std::int32_t>& pairs);
+
   /** \brief Of one point type: by the base class. */
   void alignAs(PointCloudSource& output, const Matrix4& guess, std::true_type);
 
@@ -257,11 +350,17 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * \return false, with the message kept, on an error */
   bool solve(const PointCloudSource& source, const Matrix4& guess);
 
+  /** \brief The residuals of either cloud. */
+  std::vector<double> measureResiduals(bool of_target) const;
+
   emtr_settings settings_;
   ProgressCallback progress_;
   ResultConstPtr result_;
   std::string error_message_;
   detail::PreparedInput prepared_source_, prepared_target_;
+  detail::HandedIn source_handed_, target_handed_;
+  std::vector<std::int32_t> pairs_;  // of the correspondences
+  bool has_correspondences_ = false;
 
  public:
   PCL_MAKE_ALIGNED_OPERATOR_NEW

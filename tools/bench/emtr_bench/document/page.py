@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from .accuracy_section import accuracy_section
+from .calibration_section import calibration_section
 from .cost_sections import neighbors_section, regress_section, scaling_section, stages_section
 from .markdown import table
 from .parts import NAMES, Part
@@ -16,6 +17,7 @@ from .running import Kept, kept
 
 _TITLES = {
     "accuracy": "Accuracy",
+    "calibration": "How far the confidence can be believed",
     "peers": "Beside other libraries",
     "stages": "Stages, and the candidate grid",
     "scaling": "Time and memory against the number of points",
@@ -26,6 +28,12 @@ _EXPLANATIONS = {
     "accuracy": "Success: E_R < 5 degrees, as in the paper; joint: E_t < 0.06 of the larger "
     "cloud's radius too. Errors are over the successes, E_R in degrees; precision and recall are "
     "those of `registered` against joint success. Seconds: mean wall time.",
+    "calibration": "Of the runs above that were made on all pairs, and of scans that do not belong "
+    "together, which have no right pose. Right: joint success. The calibration error is the mean "
+    "distance of mean confidence and share right, bin by bin; the Brier score the mean square of "
+    "confidence less 1 or 0; the AUC the chance that a right run has more confidence than a wrong "
+    "one. Precision and recall are those of `registered`. Intervals are Wilson's, of 95 %, and "
+    "count the motions of one pair as independent, which they are not quite.",
     "peers": "Each method has the same pairs, motions and threads, in turns, in a process of its "
     "own. The other libraries' global searches are finished by point-to-plane ICP (Open3D) or "
     "GICP (small_gicp), with their recommended settings. Success: E_R < 5 degrees and E_t < 0.06; "
@@ -35,7 +43,7 @@ _EXPLANATIONS = {
 _OF_THE_MOMENT = ("date", "revision", "load average")
 
 
-def page(parts: list[Part], plot: Path, out: Path) -> str:
+def page(parts: list[Part], pictures: Path, out: Path) -> str:
     """The whole text. Parts without figures say so."""
     found = {part.name: kept(part) for part in parts}
     lines = [
@@ -45,12 +53,16 @@ def page(parts: list[Part], plot: Path, out: Path) -> str:
         "",
     ]
     lines += [_machines([k for k in found.values() if k is not None]), ""]
-    picture = os.path.relpath(plot.absolute(), out.absolute().parent)
+
+    def picture(name: str) -> str:
+        return os.path.relpath((pictures / name).absolute(), out.absolute().parent)
+
     renderers: dict[str, Callable[[dict[str, Any]], str]] = {
         "accuracy": accuracy_section,
+        "calibration": lambda value: calibration_section(value, picture("calibration.png")),
         "peers": peers_section,
         "stages": stages_section,
-        "scaling": lambda value: scaling_section(value, picture),
+        "scaling": lambda value: scaling_section(value, picture("scaling.png")),
         "neighbors": neighbors_section,
         "regress": regress_section,
     }

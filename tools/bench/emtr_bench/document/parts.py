@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 THREADS = "2"
-NAMES = ("accuracy", "peers", "stages", "scaling", "neighbors", "regress")
+UNRELATED = "200"  # pairings of scans that do not belong together
+NAMES = ("accuracy", "calibration", "peers", "stages", "scaling", "neighbors", "regress")
 
 
 @dataclass(frozen=True)
@@ -28,8 +29,8 @@ class Part:
         return " ".join(self.command)
 
 
-def all_parts(folder: Path, plot: Path, presets: list[str], smoke: bool) -> list[Part]:
-    """`folder` takes the JSON, `plot` the picture."""
+def all_parts(folder: Path, pictures: Path, presets: list[str], smoke: bool) -> list[Part]:
+    """`folder` takes the JSON, `pictures` the pictures."""
 
     def part(section: str, *options: str, name: str = "", output: str = "--json={}") -> Part:
         path = folder / f"{name or section}.json"
@@ -44,6 +45,8 @@ def all_parts(folder: Path, plot: Path, presets: list[str], smoke: bool) -> list
         # The paper's own protocol asks for 20 motions; on the other pairs 4 have to do.
         for name, tier, motions in (("paper", "paper", "20"), ("all", "all", "4")):
             options = ("--tier", tier, "--transforms", motions, "--threads", THREADS)
+            if name == "all":  # these say how far the confidence can be believed
+                options += ("--unrelated", UNRELATED)
             parts.append(part("accuracy", "--preset", preset, *pick(options, ("--smoke",)),
                               name=f"accuracy-{preset}-{name}"))  # fmt: skip
         if smoke:
@@ -51,11 +54,13 @@ def all_parts(folder: Path, plot: Path, presets: list[str], smoke: bool) -> list
             break
     peers = ("--tier", "paper", "standard", "--transforms", "2", "--threads", THREADS)
     counted = "--benchmark_out={} --benchmark_out_format=json"
+    judged = [str(p.json) for p in parts if smoke or p.name.endswith("-all")]
     return [
         *parts,
+        part("calibration", *judged, f"--plot={pictures / 'calibration.png'}"),
         part("peers", *pick(peers, ("--smoke",))),
         part("stages", *pick((), ("--smoke",))),
-        part("scaling", *pick((), ("--smoke",)), f"--plot={plot}"),
+        part("scaling", *pick((), ("--smoke",)), f"--plot={pictures / 'scaling.png'}"),
         part("neighbors", *pick((), ("--smoke",)), output=counted),
         part("regress", *pick((), ("--only", "register-generic"))),
     ]

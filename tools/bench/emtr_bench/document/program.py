@@ -29,23 +29,23 @@ def report(arguments: argparse.Namespace) -> int:
         with tempfile.TemporaryDirectory(prefix="report-") as scratch:
             folder = Path(scratch)
             out = arguments.out or folder / "BENCHMARK.md"
-            return make(folder, folder / "scaling.png", out, presets, arguments)
-    folder, plot = Path("build", "bench"), Path("docs", "scaling.png")
+            return make(folder, folder, out, presets, arguments)
+    folder, pictures = Path("build", "bench"), Path("docs")
     (REPOSITORY / folder).mkdir(parents=True, exist_ok=True)
     out = arguments.out or REPOSITORY / "BENCHMARK.md"
-    return make(folder, plot, out, presets, arguments)
+    return make(folder, pictures, out, presets, arguments)
 
 
 def make(
-    folder: Path, plot: Path, out: Path, presets: list[str], arguments: argparse.Namespace
+    folder: Path, pictures: Path, out: Path, presets: list[str], arguments: argparse.Namespace
 ) -> int:
-    parts = all_parts(folder, plot, presets, arguments.smoke)
+    parts = all_parts(folder, pictures, presets, arguments.smoke)
     wanted = [p for p in parts if arguments.only is None or p.section in arguments.only]
     missing = [part for part in wanted if not (REPOSITORY / part.program).exists()]
     failures = [failure for part in wanted if part not in missing and (failure := _run(part))]
     for part in missing:
         print(f"left out: there is no {part.program}")
-    write(out, page(parts, REPOSITORY / plot, out))
+    write(out, page(parts, REPOSITORY / pictures, out))
     for failure in failures:
         print(f"report: {failure}", file=sys.stderr)
     print(f"wrote {out}")

@@ -14,6 +14,7 @@
 #include <pcl/registration/impl/emtr_ssc_tree.hpp>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace pcl {
 
@@ -146,6 +147,8 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setSettings(
     const emtr_settings& settings) {
   settings_ = settings;
+  settings_.correspondences = nullptr;  // the caller's memory; setCorrespondences() keeps a copy
+  settings_.correspondence_count = 0;
   max_iterations_ = settings.iterations;
 }
 
@@ -159,6 +162,40 @@ emtr_settings EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getSettings
 template <typename PointSource, typename PointTarget, typename Scalar>
 double EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getConfidence() const {
   return result_ ? result_->confidence : std::numeric_limits<double>::quiet_NaN();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::vector<double> EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getSourceResiduals()
+    const {
+  return measureResiduals(false);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::vector<double> EMTRSSCRegistration<PointSource, PointTarget, Scalar>::getTargetResiduals()
+    const {
+  return measureResiduals(true);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::vector<double> EMTRSSCRegistration<PointSource, PointTarget, Scalar>::measureResiduals(
+    bool of_target) const {
+  if (!result_ || !final_transformation_.allFinite()) {
+    PCL_ERROR("[pcl::%s::measureResiduals] There is no pose.\n", getClassName().c_str());
+    return {};
+  }
+  PointCloudSource selected;
+  copyPointCloud(*input_, *indices_, selected);
+  const std::vector<float> source = detail::packPoints(selected);
+  const std::vector<float> target = detail::packPoints(*target_);
+  const emtr_cloud from = {source.data(), selected.size(), 0, EMTR_FLOAT32};
+  const emtr_cloud to = {target.data(), target_->size(), 0, EMTR_FLOAT32};
+  std::vector<double> residuals(of_target ? to.count : from.count);
+  double* const of_source = of_target ? nullptr : residuals.data();
+  if (emtr_residuals(&from, &to, result_->transformation, settings_.threads, of_source,
+                     of_target ? residuals.data() : nullptr) == EMTR_OK)
+    return residuals;
+  PCL_ERROR("[pcl::%s::measureResiduals] %s\n", getClassName().c_str(), emtr_error_message());
+  return {};
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -226,6 +263,98 @@ void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::computeTransformatio
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::clear(detail::HandedRows& handed,
+                                                                  detail::PreparedInput& prepared) {
+  handed = detail::HandedRows();
+  prepared.forget();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setNormals(
+    const PointCloud<Normal>::ConstPtr& normals, detail::HandedIn& handed,
+    detail::PreparedInput& prepared) {
+  clear(handed.normals, prepared);
+  if (normals) handed.normals = detail::packNormals(*normals);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+template <typename FeatureCloud>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setFeatures(
+    const shared_ptr<FeatureCloud>& features, const char* setter, detail::HandedIn& handed,
+    detail::PreparedInput& prepared) {
+  using Default = detail::DefaultFeature<typename FeatureCloud::PointType>;
+  if (features && !Default::known()) {
+    PCL_ERROR(
+        "[pcl::%s::%s] PCL knows no representation of this type of features, give one; no "
+        "features are left.\n",
+        getClassName().c_str(), setter);
+    clear(handed.features, prepared);
+    return;
+  }
+  setFeatures(features, Default::make(), handed, prepared);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+template <typename FeatureCloud>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setFeatures(
+    const shared_ptr<FeatureCloud>& features,
+    const PointRepresentation<typename FeatureCloud::PointType>& representation,
+    detail::HandedIn& handed, detail::PreparedInput& prepared) {
+  clear(handed.features, prepared);
+  if (features) handed.features = detail::packFeatures(*features, representation);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setCorrespondences(
+    const CorrespondencesConstPtr& correspondences) {
+  pairs_.clear();
+  has_correspondences_ = correspondences != nullptr;
+  if (!correspondences) return;
+  for (const Correspondence& pair : *correspondences) {
+    pairs_.push_back(detail::rowNumber(pair.index_query));
+    pairs_.push_back(detail::rowNumber(pair.index_match));
+  }
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::selectsAll() const {
+  if (indices_->size() != input_->size()) return false;
+  for (std::size_t i = 0; i < indices_->size(); ++i)
+    if (static_cast<std::size_t>((*indices_)[i]) != i) return false;
+  return true;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::prepare(
+    const PointCloudSource& source, std::int32_t threads,
+    std::shared_ptr<const emtr_prepared> (&prepared)[2], std::vector<std::int32_t>& pairs) {
+  error_message_ = source_handed_.mismatch("source", input_->size());
+  if (error_message_.empty()) error_message_ = target_handed_.mismatch("target", target_->size());
+  const bool all = selectsAll();
+  pairs = pairs_;
+  if (!all)
+    for (std::size_t i = 0; i < pairs.size() && error_message_.empty(); i += 2)
+      if (pairs[i] < 0 || static_cast<std::size_t>(pairs[i]) >= input_->size())
+        error_message_ = "correspondences: row " + std::to_string(i / 2) + ": source point " +
+                         std::to_string(pairs[i]) + ", expected 0 to " +
+                         std::to_string(input_->size() - 1);
+  if (!error_message_.empty()) return false;
+  if (!all) pairs = detail::renumbered(pairs_, *indices_, input_->size());
+
+  const bool keep = has_correspondences_;
+  if (all || source_handed_.empty())
+    prepared[0] = prepared_source_.of(source, "source", threads, source_handed_, keep);
+  else  // made anew: other points may have the same coordinates
+    prepared[0] = detail::PreparedInput().of(source, "source", threads,
+                                             source_handed_.selected(*indices_), keep);
+  if (prepared[0])
+    prepared[1] = prepared_target_.of(*target_, "target", threads, target_handed_, keep);
+  if (prepared[1]) return true;
+  error_message_ = emtr_error_message();
+  return false;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
 bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointCloudSource& source,
                                                                   const Matrix4& guess) {
   emtr_settings settings = getSettings();
@@ -237,19 +366,20 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointClo
   fillViewpoint(input_->sensor_origin_, settings.has_viewpoint_source, settings.viewpoint_source);
   fillViewpoint(target_->sensor_origin_, settings.has_viewpoint_target, settings.viewpoint_target);
   const auto start = std::chrono::steady_clock::now();
-  const auto prepared_source = prepared_source_.of(source, "source", settings.threads);
-  const auto prepared_target =
-      prepared_source ? prepared_target_.of(*target_, "target", settings.threads) : nullptr;
-  if (!prepared_target) {
-    error_message_ = emtr_error_message();
-    return false;
+  std::shared_ptr<const emtr_prepared> prepared[2];
+  std::vector<std::int32_t> pairs;
+  if (!prepare(source, settings.threads, prepared, pairs)) return false;
+  if (has_correspondences_) {
+    settings.correspondence_count = pairs.size() / 2;
+    pairs.push_back(0);  // an empty list has an address too
+    settings.correspondences = pairs.data();
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
   detail::ProgressRelay relay(progress_);
   emtr_result* result = nullptr;
-  const emtr_status status = emtr_register_prepared(prepared_source.get(), prepared_target.get(),
-                                                    &settings, relay.function(), &relay, &result);
+  const emtr_status status = emtr_register_prepared(prepared[0].get(), prepared[1].get(), &settings,
+                                                    relay.function(), &relay, &result);
   if (status != EMTR_OK) error_message_ = emtr_error_message();
   ResultConstPtr owned(result,
                        [](const emtr_result* r) { emtr_result_free(const_cast<emtr_result*>(r)); });

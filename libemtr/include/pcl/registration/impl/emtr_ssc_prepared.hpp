@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <pcl/registration/impl/emtr_ssc_handed.hpp>
 #include <pcl/registration/impl/emtr_ssc_points.hpp>
 #include <vector>
 
@@ -16,19 +17,29 @@ namespace detail {
 /** \brief An input cloud as the library prepares it, kept from one align() to the next.
  *
  * Prepared again when any coordinate has changed, also in place, which no setter is told of: so
- * the coordinates are kept too and compared, which takes far less time than to prepare them. */
+ * the coordinates are kept too and compared, which takes far less time than to prepare them. Who
+ * hands in other normals or features says so by forget(). */
 class PreparedInput {
  public:
-  /** \brief The cloud made ready; \a name and \a threads as in emtr_prepare().
+  /** \brief The cloud made ready; \a name and \a threads as in emtr_prepare(), \a keep_points as in
+   * emtr_cloud.
    * \return null when it cannot be registered: emtr_error_message() tells why */
   template <typename PointT>
   std::shared_ptr<const emtr_prepared> of(const PointCloud<PointT>& cloud, const char* name,
-                                          std::int32_t threads) {
-    if (prepared_ && isOf(cloud)) return prepared_;
+                                          std::int32_t threads, const HandedIn& handed = {},
+                                          bool keep_points = false) {
+    if (prepared_ && (keeps_points_ || !keep_points) && isOf(cloud)) return prepared_;
     forget();
+    keeps_points_ = keep_points;
     // Plain arrays of our own: what is in a pcl::PointCloud depends on how the caller was compiled.
     packed_ = packPoints(cloud);
-    const emtr_cloud view = {packed_.data(), cloud.size(), 0, EMTR_FLOAT32};
+    emtr_cloud view = {packed_.data(), cloud.size(), 0, EMTR_FLOAT32};
+    if (handed.normals.given) view.normals = handed.normals.values.data();
+    if (handed.features.given) {
+      view.features = handed.features.values.data();
+      view.feature_dimension = handed.features.width;
+    }
+    view.keep_points = keep_points;
     emtr_prepared* made = nullptr;
     if (emtr_prepare(&view, name, threads, &made) == EMTR_OK)
       prepared_ = std::shared_ptr<const emtr_prepared>(
@@ -53,6 +64,7 @@ class PreparedInput {
   }
 
   std::vector<float> packed_;
+  bool keeps_points_ = false;
   std::shared_ptr<const emtr_prepared> prepared_;
 };
 

@@ -1,0 +1,87 @@
+#include "cubes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace emtr {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr double kCancelled = 0.1;  // a mean of unit vectors that is shorter has no direction
+constexpr int kBits = 21;           // of a key, for each axis
+
+std::int64_t cell(float v, float inverse) {
+  return static_cast<std::int64_t>(std::floor(v * inverse));
+}
+
+double to_centre(const Cloud& cloud, std::size_t i, float leaf) {
+  const float inverse = 1.0f / leaf;
+  const auto off = [&](float v) {
+    return double{v} - (static_cast<double>(cell(v, inverse)) + 0.5) * double{leaf};
+  };
+  const double x = off(cloud.x[i]), y = off(cloud.y[i]), z = off(cloud.z[i]);
+  return x * x + y * y + z * z;
+}
+
+}  // namespace
+
+std::vector<CubeRow> by_cube(const Cloud& cloud, float leaf) {
+  const float inverse = 1.0f / leaf;
+  const auto digits = [&](float v) {
+    return static_cast<std::uint64_t>(cell(v, inverse) + (std::int64_t{1} << (kBits - 1)));
+  };
+  std::vector<CubeRow> out(cloud.size());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = {digits(cloud.z[i]) << 2 * kBits | digits(cloud.y[i]) << kBits | digits(cloud.x[i]),
+              static_cast<std::uint32_t>(i)};
+  std::sort(out.begin(), out.end(), [](const CubeRow& a, const CubeRow& b) {
+    return std::tie(a.cube, a.row) < std::tie(b.cube, b.row);
+  });
+  return out;
+}
+
+std::vector<std::uint32_t> one_per_cube(const Cloud& cloud, float leaf) {
+  std::vector<std::uint32_t> out;
+  std::uint64_t cube = 0;
+  double least = 0;
+  for (const CubeRow& item : by_cube(cloud, leaf)) {
+    const double squared = to_centre(cloud, item.row, leaf);
+    if (out.empty() || item.cube != cube) {
+      out.push_back(item.row);
+    } else if (squared < least) {
+      out.back() = item.row;
+    } else {
+      continue;
+    }
+    cube = item.cube;
+    least = squared;
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+Cloud mean_normals(const Cloud& cloud, const Cloud& normals, float leaf) {
+  const std::vector<CubeRow> items = by_cube(cloud, leaf);
+  Cloud out;
+  for (std::size_t i = 0; i < items.size();) {
+    double sum[3] = {}, count = 0;
+    const std::uint64_t cube = items[i].cube;
+    for (; i < items.size() && items[i].cube == cube; ++i) {
+      const std::size_t row = items[i].row;
+      const double n[3] = {normals.x[row], normals.y[row], normals.z[row]};
+      if (n[0] != n[0]) continue;
+      for (int a = 0; a < 3; ++a) sum[a] += n[a];
+      ++count;
+    }
+    const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    const bool known = length > kCancelled * count;
+    out.x.push_back(known ? static_cast<float>(sum[0] / length) : kNone);
+    out.y.push_back(known ? static_cast<float>(sum[1] / length) : kNone);
+    out.z.push_back(known ? static_cast<float>(sum[2] / length) : kNone);
+  }
+  return out;
+}
+
+}  // namespace emtr

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../cloud.h"
+
+namespace emtr {
+
+/// A point's cube of side `leaf`, binned as pcl::VoxelGrid bins, and its row.
+struct CubeRow {
+  std::uint64_t cube;
+  std::uint32_t row;
+};
+
+/// All points by their cube, in the order of voxel_grid(): by z, then y, then x; those of one cube
+/// by row. On normalised clouds only, `leaf` of 2e-3 and more.
+std::vector<CubeRow> by_cube(const Cloud& cloud, float leaf);
+
+/// One point of each cube that holds points, the nearest to its centre (the first of several):
+/// their rows, ascending. Which ones they are does not depend on the order of the points.
+std::vector<std::uint32_t> one_per_cube(const Cloud& cloud, float leaf);
+
+/// For each point of voxel_grid(cloud, leaf), in its order, the mean direction of the normals in
+/// its cube, of unit length. NaN, as the normal of a point that has none, where no point of the
+/// cube has one or they cancel out.
+Cloud mean_normals(const Cloud& cloud, const Cloud& normals, float leaf);
+
+}  // namespace emtr

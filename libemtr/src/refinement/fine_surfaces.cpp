@@ -1,0 +1,43 @@
+#include "fine_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "local_polish.h"
+
+namespace emtr {
+namespace {
+
+constexpr double kLeastPoints = 3;  // a cube, on average; finer ones have no normals worth the name
+constexpr int kMostAttempts = 4;
+constexpr double kQueries = 5e4;  // look-ups of one polish, about
+
+}  // namespace
+
+FineSurfaces fine_surfaces(const NormalisedPair& pair, double leaf, const Kernels& kernels) {
+  FineSurfaces out;
+  for (int attempt = 0;; ++attempt) {
+    const auto thin = [&](const Cloud& cloud, const Cloud& normals) {
+      return normals.size() ? thin_surface(cloud, normals, leaf) : thin_surface(cloud, leaf);
+    };
+    out.source = thin(pair.source, pair.prepared_source->normals);
+    out.target = thin(pair.target, pair.prepared_target->normals);
+    const auto filling = [](const Cloud& points, const Surface& surface) {
+      return static_cast<double>(points.size()) / static_cast<double>(surface.points.size());
+    };
+    const double least =
+        std::min(filling(pair.source, out.source), filling(pair.target, out.target));
+    if (least >= kLeastPoints || attempt == kMostAttempts) break;
+    leaf *= std::sqrt(1.1 * kLeastPoints / least);
+  }
+  const Polish polish;
+  const auto reach = static_cast<float>(std::max(polish.first_scale, polish.reach) * leaf);
+  const auto near = [&](const Surface& surface) {
+    return make_neighbors(surface.points, reach, static_cast<float>(1.5 * leaf), kQueries, kernels);
+  };
+  out.near_source = near(out.source);
+  out.near_target = near(out.target);
+  return out;
+}
+
+}  // namespace emtr

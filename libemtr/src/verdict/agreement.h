@@ -1,0 +1,21 @@
+#pragma once
+
+#include "../refinement/fine_surfaces.h"
+#include "../rigid.h"
+
+namespace emtr {
+
+/// How much of each cloud lies on the other under a pose, and how closely. Asked are up to 5000 of
+/// each cloud's base points, evenly over their rows; one has a partner when the nearest point of
+/// the other's fine surface is within one leaf of it.
+struct Agreement {
+  double overlap_source = 0, overlap_target = 0;  ///< share that has a partner
+  /// Root mean squares over the source's points with a partner, in the normalised frame: of the
+  /// distance to it, and of the distance to its tangent plane. NaN where there are none.
+  double rmse = 0, plane_rmse = 0;
+};
+
+Agreement agree(const NormalisedPair& pair, const FineSurfaces& fine, const Rigid& pose,
+                const Kernels& kernels);
+
+}  // namespace emtr

@@ -1,0 +1,130 @@
+#include "residuals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "../error.h"
+#include "../features/kdtree_neighbors.h"
+#include "../frame/cloud_reader.h"
+#include "../parallel.h"
+
+namespace emtr {
+namespace {
+
+using Point = std::array<double, 3>;
+
+constexpr float kEverywhere = 1e15f;  // its square is a float too
+
+/// The finite points of a cloud in floats, in a box of side 2 about the origin, and their tree.
+class Reference {
+ public:
+  Reference(const CloudReader& reader, const std::string& name) : reader_(reader), name_(name) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+    each([&](std::size_t row, const double* p) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        low[a] = std::min(low[a], p[a]);
+        high[a] = std::max(high[a], p[a]);
+      }
+      rows_.push_back(row);
+    });
+    if (rows_.empty()) throw Error(EMTR_ERROR_CLOUD, name + ": no finite point");
+    if (rows_.size() > std::size_t{std::numeric_limits<std::int32_t>::max()})
+      throw Error(EMTR_ERROR_CLOUD, name + ": more than 2^31 points");
+    double side = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      center_[a] = low[a] / 2 + high[a] / 2;
+      side = std::max(side, high[a] / 2 - low[a] / 2);
+    }
+    if (side > 0) inverse_ = 1 / side;
+    Cloud cloud;
+    cloud.resize(rows_.size());
+    std::size_t i = 0;
+    each([&](std::size_t, const double* p) { put({p[0], p[1], p[2]}, cloud, i++); });
+    tree_ = make_kdtree(cloud, kEverywhere);
+  }
+
+  /// Of finite points in this cloud's frame.
+  void distances(const std::vector<Point>& points, double* out) const {
+    Cloud queries;
+    queries.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) put(points[i], queries, i);
+    std::vector<std::int32_t> nearest(points.size());
+    std::vector<float> squared(points.size());
+    tree_->nearest(queries.view(), nearest.data(), squared.data());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      double q[3];
+      reader_.read(rows_[static_cast<std::size_t>(nearest[i])], q);
+      out[i] = std::hypot(points[i][0] - q[0], points[i][1] - q[1], points[i][2] - q[2]);
+    }
+  }
+
+ private:
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (std::size_t block = 0; block < reader_.blocks(); ++block)
+      reader_.each_finite(block, [&](std::size_t i, const double* p) {
+        visit(block * CloudReader::kBlock + i, p);
+      });
+  }
+
+  void put(const Point& p, Cloud& cloud, std::size_t i) const {
+    Point unit;
+    for (std::size_t a = 0; a < 3; ++a) unit[a] = (p[a] - center_[a]) * inverse_;
+    if (!is_near(unit.data(), 3))
+      throw Error(EMTR_ERROR_ARGUMENT, name_ +
+                                           ": a point of the other cloud lies more than a "
+                                           "million times its size away");
+    cloud.x[i] = static_cast<float>(unit[0]);
+    cloud.y[i] = static_cast<float>(unit[1]);
+    cloud.z[i] = static_cast<float>(unit[2]);
+  }
+
+  const CloudReader& reader_;
+  const std::string name_;
+  std::vector<std::size_t> rows_;  // of the finite points in the caller's memory
+  Point center_{};
+  double inverse_ = 1;
+  std::unique_ptr<Neighbors> tree_;
+};
+
+Point moved(const double* p, const Rigid& pose) {
+  Point out;
+  for (std::size_t a = 0; a < 3; ++a)
+    out[a] =
+        (pose.R[3 * a] * p[0] + pose.R[3 * a + 1] * p[1]) + pose.R[3 * a + 2] * p[2] + pose.t[a];
+  return out;
+}
+
+void one_way(const CloudReader& from, const CloudReader& to, const std::string& name,
+             const Rigid& pose, int threads, double* out) {
+  const Reference reference(to, name);
+  std::fill_n(out, from.count(), std::numeric_limits<double>::quiet_NaN());
+  in_parallel(from.blocks(), threads, [&](std::size_t block) {
+    std::vector<Point> points;
+    std::vector<std::size_t> rows;
+    from.each_finite(block, [&](std::size_t i, const double* p) {
+      points.push_back(moved(p, pose));
+      rows.push_back(block * CloudReader::kBlock + i);
+    });
+    std::vector<double> found(points.size());
+    reference.distances(points, found.data());
+    for (std::size_t i = 0; i < rows.size(); ++i) out[rows[i]] = found[i];
+  });
+}
+
+}  // namespace
+
+void residuals(const emtr_cloud& source, const emtr_cloud& target, const Rigid& pose, int threads,
+               double* of_source, double* of_target) {
+  const CloudReader from(source, "source cloud"), to(target, "target cloud");
+  if (of_source) one_way(from, to, "target cloud", pose, threads, of_source);
+  if (of_target) one_way(to, from, "source cloud", pose.inverse(), threads, of_target);
+}
+
+}  // namespace emtr

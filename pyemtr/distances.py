@@ -1,0 +1,47 @@
+"""How far the points of one cloud are from the other."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from . import _emtr
+from .arrays import Floats, as_points, as_transformation
+from .options import thread_setting
+
+
+def residuals(
+    source: Any, target: Any, transformation: Any = None, *, of: str = "source", threads: int = 0
+) -> Floats:
+    """The distance of each point to the nearest point of the other cloud.
+
+    Args:
+        source: points (N, 3) as :func:`pyemtr.register` takes them; no :class:`pyemtr.Cloud`,
+            which has not kept its points.
+        target: likewise, (M, 3).
+        transformation: (4, 4), source into target, q = R p + t, in the clouds' unit; None when the
+            source lies where it belongs.
+        of: "source" for the distances of the moved source points to the target, "target" for those
+            of the target's points to the moved source.
+        threads: 0 for as many as OpenMP would use; the distances do not depend on it.
+
+    Returns:
+        float64 (N,), or (M,) of the target: in the clouds' unit, exact to 1e-6 of the other
+        cloud's size. NaN for points with a NaN or an infinity (or masked ones).
+
+    Raises:
+        TypeError: an argument of a wrong type.
+        ValueError: a wrong shape, no rotation, a cloud without a finite point, or one a million
+            times its size away from the other.
+        MemoryError: an allocation failed.
+    """
+    if of not in ("source", "target"):
+        raise ValueError(f'of: expected "source" or "target", got {of!r}')
+    clouds = as_points(source, "source"), as_points(target, "target")
+    pose = (
+        np.eye(4) if transformation is None else as_transformation(transformation, "transformation")
+    )
+    out = np.empty(len(clouds[of == "target"]), dtype=np.float64)
+    _emtr.residuals(*clouds, pose.reshape(16), thread_setting(threads), of == "target", out)
+    return out

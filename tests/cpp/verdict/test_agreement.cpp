@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../refinement/shapes.h"
+#include "support/clouds.h"
+#include "verdict/agreement.h"
+
+namespace {
+
+using emtr::Agreement;
+using emtr::Cloud;
+
+constexpr double kLeaf = 0.05;
+
+/// Points of z = height over [low, high] x [-0.7, 0.7], drawn anew for each seed.
+Cloud sheet(std::uint64_t seed, double low, double high, double height = 0, double noise = 0) {
+  const double wide = high - low;
+  return emtr_test::Draw(seed).cloud(
+      static_cast<std::size_t>(20000 * wide), noise, [=](emtr_test::Draw& d) {
+        return Eigen::Vector3d(d.uniform(low, high), d.uniform(-0.7, 0.7), height);
+      });
+}
+
+Agreement agree(const Cloud& source, const Cloud& target, const emtr::Rigid& pose = {},
+                const emtr::Kernels& kernels = emtr::select_kernels()) {
+  emtr::NormalisedPair pair;
+  pair.source = source;
+  pair.target = target;
+  return emtr::agree(pair, emtr::fine_surfaces(pair, kLeaf, kernels), pose, kernels);
+}
+
+TEST(Agreement, OverlapIsTheShareThatLiesOnTheOther) {
+  const Agreement a = agree(sheet(1, -0.6, 0.4), sheet(2, 0.0, 0.5));
+  EXPECT_NEAR(a.overlap_source, 0.4, 0.05);  // and a leaf beyond the edge
+  EXPECT_NEAR(a.overlap_target, 0.8, 0.09);
+  const Agreement none = agree(sheet(1, -0.6, 0.4), sheet(2, -0.6, 0.4, 0.2));
+  EXPECT_EQ(none.overlap_source, 0);
+  EXPECT_EQ(none.overlap_target, 0);
+  EXPECT_TRUE(std::isnan(none.rmse) && std::isnan(none.plane_rmse));
+}
+
+TEST(Agreement, PlaneResidualsAreTheNoiseAndPointResidualsTheSpacingToo) {
+  for (const double noise : {0.001, 0.004}) {
+    const Agreement a = agree(sheet(3, -0.5, 0.5, 0.02, noise), sheet(4, -0.5, 0.5, 0.02, noise));
+    EXPECT_GT(a.overlap_source, 0.99);
+    EXPECT_NEAR(a.plane_rmse, noise, 0.2 * noise);  // the target's is averaged over a cube
+    EXPECT_GT(a.rmse, 0.25 * kLeaf);
+    EXPECT_LT(a.rmse, 0.6 * kLeaf);
+  }
+  const Agreement off = agree(sheet(3, -0.5, 0.5, 0.03), sheet(4, -0.5, 0.5, 0.01));
+  EXPECT_NEAR(off.plane_rmse, 0.02, 1e-4);
+}
+
+TEST(Agreement, IsTakenAtThePose) {
+  const emtr::Rigid pose = emtr_test::motion({20, -30, 40}, {0.3, 0.2, -0.1});
+  const Cloud target = sheet(5, -0.5, 0.5);
+  Cloud source = target;
+  const emtr::Rigid back = pose.inverse();
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const Eigen::Vector3d p(source.x[i], source.y[i], source.z[i]);
+    const Eigen::Vector3d q =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(back.R) * p +
+        Eigen::Vector3d::Map(back.t);
+    source.x[i] = static_cast<float>(q.x());
+    source.y[i] = static_cast<float>(q.y());
+    source.z[i] = static_cast<float>(q.z());
+  }
+  const Agreement a = agree(source, target, pose);
+  EXPECT_GT(a.overlap_source, 0.99);
+  EXPECT_GT(a.overlap_target, 0.99);
+  EXPECT_LT(a.plane_rmse, 1e-5);
+  EXPECT_LT(agree(source, target).overlap_source, 0.5);
+}
+
+TEST(Agreement, IsTheSameBitsForAllKernels) {
+  const Cloud source = sheet(6, -0.6, 0.4, 0, 0.003), target = sheet(7, -0.1, 0.7, 0, 0.003);
+  const emtr::Rigid pose = emtr_test::motion({1, 1, 0}, {0, 0, 0.001});
+  const Agreement a = agree(source, target, pose);
+  for (const emtr::Kernels* k : emtr_test::kernels_here()) {
+    const Agreement b = agree(source, target, pose, *k);
+    EXPECT_EQ(a.overlap_source, b.overlap_source) << k->name;
+    EXPECT_EQ(a.overlap_target, b.overlap_target) << k->name;
+    EXPECT_EQ(a.rmse, b.rmse) << k->name;
+    EXPECT_EQ(a.plane_rmse, b.plane_rmse) << k->name;
+  }
+}
+
+}  // namespace

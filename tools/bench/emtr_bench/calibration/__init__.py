@@ -1,0 +1,1 @@
+"""How far the confidence can be believed."""
