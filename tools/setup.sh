@@ -1,4 +1,4 @@
-# Sourced by tools/quickstart and tools/check: packages, build, virtual environment.
+# Sourced by tools/quickstart, tools/check and tools/fuzz: packages, build, virtual environment.
 # shellcheck shell=bash disable=SC2034 # variables for those who source it
 
 ROOT=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)
@@ -60,6 +60,24 @@ build() {
   step "Configuring the build in $BUILD" \
     cmake -S "$ROOT" -B "$BUILD" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@"
   step "Building with $(nproc) jobs" cmake --build "$BUILD" --parallel "$(nproc)"
+}
+
+# What build_sanitized() needs.
+CLANG_PACKAGES=(clang libclang-rt-dev libomp-dev cmake ninja-build pkg-config libpcl-dev libgtest-dev)
+
+# build_sanitized address|thread [target...]: with Clang into a folder of its own. Assertions stay in,
+# those of Eigen too. One build with AddressSanitizer serves the tests and the fuzz targets.
+build_sanitized() {
+  local kind=$1 folder=$ROOT/build/$1 fuzzers=OFF level=-O1
+  shift
+  [[ $kind != address ]] || fuzzers=ON level=-O2
+  step "Configuring the build in $folder" cmake -S "$ROOT" -B "$folder" -G Ninja \
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS_DEBUG=$level -DCMAKE_CXX_FLAGS_DEBUG=$level \
+    -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DEMTR_WERROR=ON \
+    -DEMTR_SANITIZE="$kind" -DEMTR_BUILD_FUZZERS="$fuzzers" -DEMTR_BUILD_TESTS=ON \
+    -DEMTR_BUILD_TOOLS=OFF
+  step "Building with $(nproc) jobs" \
+    cmake --build "$folder" --parallel "$(nproc)" --target "${@:-all}"
 }
 
 # What the package is made of, in one number; the same again needs no installation.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "enum_number.h"
 #include "error.h"
 #include "problem.h"
 #include "problem_arrays.h"
@@ -144,7 +145,7 @@ void evaluate_all(const emtr_problem& problem, const double* particles, std::siz
 extern "C" {
 
 const char* emtr_status_text(emtr_status status) {
-  switch (status) {
+  switch (emtr::number_of(status)) {
     case EMTR_OK:
       return "no error";
     case EMTR_ERROR_ARGUMENT:
@@ -180,7 +181,7 @@ const char* emtr_reason_name(emtr_reason reason) {
 }
 
 const char* emtr_reason_text(emtr_reason reason) {
-  switch (reason) {
+  switch (emtr::number_of(reason)) {
     case EMTR_REASON_REGISTERED:
       return "registered";
     case EMTR_REASON_LOW_OVERLAP:
@@ -341,7 +342,8 @@ emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
                                      const double* particles, size_t count, double* fitness) {
   return guarded([&] {
     emtr_problem& p = checked(problem);
-    if (stage != EMTR_STAGE_SPARSE && stage != EMTR_STAGE_DENSE)
+    const int number = emtr::number_of(stage);
+    if (number != EMTR_STAGE_SPARSE && number != EMTR_STAGE_DENSE)
       throw emtr::Error(EMTR_ERROR_ARGUMENT, "stage must be EMTR_STAGE_SPARSE or EMTR_STAGE_DENSE");
     evaluate_all(p, particles, count, 6, fitness,
                  [&](const double* particle, emtr::TaskAlpha::Scratch& scratch) {
@@ -419,7 +421,11 @@ emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info
 emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which, const void** data,
                                size_t* rows, size_t* columns) {
   return guarded([&] {
-    const emtr::ProblemArrays::View array = checked(problem).arrays.view(which);
+    const emtr_problem& p = checked(problem);
+    const int number = emtr::number_of(which);
+    if (number < EMTR_SOURCE_SPARSE || number > EMTR_TIM_TARGET)
+      throw emtr::Error(EMTR_ERROR_ARGUMENT, "array: there is none of that number");
+    const emtr::ProblemArrays::View array = p.arrays.view(which);
     required(data, "data") = array.data;
     required(rows, "rows") = array.rows;
     required(columns, "columns") = array.columns;

@@ -10,6 +10,7 @@
 #include "frame/handed_matches.h"
 #include "parallel.h"
 #include "priors/make_prior.h"
+#include "ranking/given_viewpoints.h"
 #include "registration.h"
 #include "stopwatch.h"
 
@@ -117,10 +118,17 @@ void Problem::describe_dense() {
   definition.trust_normals = trust_normals(pair);
   definition.normals_only = handed != nullptr;
   const int threads = thread_count(settings);
-  source_features =
-      describe(densities.source_dense, definition, kernels, threads, densities.source_normals);
-  target_features =
-      describe(densities.target_dense, definition, kernels, threads, densities.target_normals);
+  // One rule for both: only where both sensors are known do the normals turn to them.
+  const GivenViewpoints given(settings, frame);
+  const auto described = [&](const Cloud& cloud, const Cloud& normals,
+                             const std::optional<Viewpoint>& viewpoint) {
+    FeatureDefinition own = definition;
+    if (given.both())
+      for (std::size_t a = 0; a < 3; ++a) own.viewpoint[a] = static_cast<float>(viewpoint->at[a]);
+    return describe(cloud, own, kernels, threads, normals);
+  };
+  source_features = described(densities.source_dense, densities.source_normals, given.source);
+  target_features = described(densities.target_dense, densities.target_normals, given.target);
 }
 
 void Problem::match_features() {
@@ -160,10 +168,16 @@ void Problem::find_seeds() {
 
 void Problem::make_surfaces() {
   if (settings.candidates == 0) return;
-  surfaces = std::make_unique<Surfaces>(
-      surface(densities.source_dense, source_features, densities.leaf_dense),
-      surface(densities.target_dense, target_features, densities.leaf_dense), Viewpoints{},
-      Viewpoints{}, kernels);
+  const GivenViewpoints given(settings, frame);
+  const auto viewpoints = [this](const Surface& of, const std::optional<Viewpoint>& at) {
+    return at ? given_viewpoint(of, *at, kernels) : Viewpoints{};
+  };
+  Surface source = surface(densities.source_dense, source_features, densities.leaf_dense),
+          target = surface(densities.target_dense, target_features, densities.leaf_dense);
+  const Viewpoints of_source = viewpoints(source, given.source),
+                   of_target = viewpoints(target, given.target);
+  surfaces = std::make_unique<Surfaces>(std::move(source), std::move(target), of_source, of_target,
+                                        kernels);
 }
 
 std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {

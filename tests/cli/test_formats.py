@@ -95,6 +95,13 @@ def test_windows_line_ends(run, tmp_path, reference):
         assert run(path, path, *QUICK).stdout == reference
 
 
+def test_obj_of_windows_with_empty_lines_and_tabs(run, tmp_path, reference):
+    path = cloud_files.write_obj(tmp_path / "crlf.obj", POINTS)
+    whole = path.read_bytes().replace(b"\nv ", b"\n \t\n\nv\t").replace(b"\n", b"\r\n")
+    path.write_bytes(b"\r\n" + whole)
+    assert run(path, path, *QUICK).stdout == reference
+
+
 def write_range_grid(path, points, grid: list[int | None], info: str) -> None:
     """A range scan as the Stanford scanner wrote it: a grid of vertices, some places empty."""
     lines = [

@@ -92,6 +92,33 @@ TEST(Problem, FeaturesAreOfTheBackendThatTheSettingNames) {
   }
 }
 
+TEST(Problem, NormalsTurnToTheSensorsWhereBothAreGiven) {
+  const emtr_test::Pair pair(6, 5000);
+  emtr::Settings settings = emtr::preset("default");
+  const auto made = [&] {
+    return std::make_unique<emtr::Problem>(pair.source(), pair.target(), settings, nullptr);
+  };
+  const auto shares = [](const emtr::Problem& problem) {  // of normals that look along +z
+    std::size_t up = 0, all = 0;
+    for (std::size_t i = 2; i < problem.target_features.normals.size(); i += 3) {
+      const float z = problem.target_features.normals[i];
+      if (std::isnan(z) || std::abs(z) < 0.1f) continue;
+      up += z > 0;
+      ++all;
+    }
+    return static_cast<double>(up) / static_cast<double>(all);
+  };
+  EXPECT_LT(shares(*made()), 0.9);
+  settings.has_viewpoint_target = 1;
+  settings.viewpoint_target[2] = 1e5;
+  EXPECT_LT(shares(*made()), 0.9);  // one alone would make two rules of one
+  settings.has_viewpoint_source = 1;
+  settings.viewpoint_source[2] = 1e5;
+  EXPECT_GT(shares(*made()), 0.999);
+  settings.free_space = 0;
+  EXPECT_LT(shares(*made()), 0.9);
+}
+
 TEST(Problem, KeepsWhatEveryStageMade) {
   const emtr_test::Pair pair(11, 3000);
   const emtr::Settings settings = emtr::preset("default");

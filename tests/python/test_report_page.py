@@ -55,15 +55,16 @@ def test_each_preset_has_the_protocol_and_every_pair():
 
 
 def test_every_command_is_one_that_the_programs_take():
+    from emtr_bench.ablation.arguments import parser as ablation_parser
     from emtr_bench.arguments import parser as accuracy_parser
     from emtr_bench.calibration.arguments import parser as calibration_parser
     from emtr_bench.peers.arguments import parser as peers_parser
     from emtr_bench.regress.arguments import parser as regress_parser
     from emtr_bench.stages.arguments import parser as stages_parser
 
-    parsers = {"accuracy": accuracy_parser, "calibration": calibration_parser,
-               "peers": peers_parser, "regress": regress_parser,
-               "stages": stages_parser}  # fmt: skip
+    parsers = {"accuracy": accuracy_parser, "ablation": ablation_parser,
+               "calibration": calibration_parser, "peers": peers_parser,
+               "regress": regress_parser, "stages": stages_parser}  # fmt: skip
     for smoke in (False, True):
         for part in all_parts(Path("b"), Path("p"), ["paper"], smoke):
             if part.section in parsers:
@@ -72,7 +73,7 @@ def test_every_command_is_one_that_the_programs_take():
 
 def test_what_was_not_measured_is_said(tmp_path):
     text = text_of(parts_of(tmp_path), tmp_path)
-    assert text.count("Not measured.") == 8 and "Nothing has been measured." in text
+    assert text.count("Not measured.") == 9 and "Nothing has been measured." in text
 
 
 def test_accuracy_is_rendered_from_its_own_json(tmp_path, monkeypatch):

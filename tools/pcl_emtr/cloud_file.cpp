@@ -1,6 +1,5 @@
 #include "cloud_file.h"
 
-#include <pcl/io/obj_io.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 #include <unistd.h>
@@ -18,6 +17,7 @@
 #include "coordinates.h"
 #include "failure.h"
 #include "format_check.h"
+#include "obj_reader.h"
 #include "pcd_header.h"
 #include "ply_camera.h"
 
@@ -63,20 +63,6 @@ void read_pcd_viewpoint(CloudFile& cloud) {
   }
 }
 
-/// PCL gives the i-th normal to the i-th vertex, whatever the faces say.
-void drop_unmatched_normals(CloudFile& cloud, const ObjCounts& counts) {
-  if (counts.normals == 0 || counts.normals == counts.vertices) return;
-  auto& fields = cloud.blob.fields;
-  fields.erase(std::remove_if(fields.begin(), fields.end(),
-                              [](const pcl::PCLPointField& field) {
-                                return field.name.compare(0, 7, "normal_") == 0;
-                              }),
-               fields.end());
-  cloud.note = "its " + std::to_string(counts.normals) +
-               " normals are left out, not one for each "
-               "vertex";
-}
-
 }  // namespace
 
 std::string extension_of(const std::string& path) {
@@ -118,12 +104,7 @@ CloudFile load_cloud(const std::string& path) {
     read<pcl::PLYReader>(cloud, check_ply(path));
     read_ply_camera(cloud);
   } else {
-    const ObjCounts counts = check_obj(path);
-    read<pcl::OBJReader>(cloud, counts.vertices);
-    if (cloud.size() != counts.vertices)
-      throw FileFailure(path, "cannot be read: " + std::to_string(cloud.size()) + " of " +
-                                  std::to_string(counts.vertices) + " vertices understood");
-    drop_unmatched_normals(cloud, counts);
+    cloud.note = read_obj(path, cloud.blob);
   }
   require_coordinates(cloud);
   cloud.sensor_known = !cloud.sensor_origin.isZero(0) ||

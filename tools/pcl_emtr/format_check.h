@@ -9,15 +9,9 @@ namespace cli {
 // zeros, keep the points that a text file breaks off before, and allocate whatever size a
 // header declares. These checks come first: they read the header, hold what it declares
 // against what the file contains, and read every number of a text file.
-// Each returns the number of points declared (for OBJ: found) or throws FileFailure.
+// Each returns the number of points declared or throws FileFailure.
 
 std::uint64_t check_pcd(const std::string& path);
 std::uint64_t check_ply(const std::string& path);
-
-struct ObjCounts {
-  std::uint64_t vertices;
-  std::uint64_t normals;
-};
-ObjCounts check_obj(const std::string& path);
 
 }  // namespace cli

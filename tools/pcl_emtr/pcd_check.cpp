@@ -85,6 +85,7 @@ std::uint64_t check_pcd(const std::string& path) {
   const std::string& data = header.words("DATA").front();
 
   const bool text = data == "ascii";
+  if (!text) header.require_end(in);
   const std::uint64_t available = bytes_left(in);
   // In text a value takes a digit and a separator, but for the last one.
   const std::uint64_t least = text ? 2 * layout.values : layout.bytes;

@@ -9,11 +9,12 @@
 namespace cli {
 namespace {
 
+constexpr std::array<const char*, 11> kKeywords = {"VERSION", "FIELDS", "COLUMNS",  "SIZE",
+                                                   "TYPE",    "COUNT",  "WIDTH",    "HEIGHT",
+                                                   "POINTS",  "DATA",   "VIEWPOINT"};
+
 /// The header's lines by their first word, up to and with DATA.
 std::map<std::string, PcdHeader::Words> read_header(std::istream& in, const std::string& path) {
-  static const std::array<std::string, 11> keywords = {"VERSION", "FIELDS",    "COLUMNS", "SIZE",
-                                                       "TYPE",    "COUNT",     "WIDTH",   "HEIGHT",
-                                                       "POINTS",  "VIEWPOINT", "DATA"};
   std::map<std::string, PcdHeader::Words> header;
   std::string line;
   while (!header.count("DATA") && std::getline(in, line)) {
@@ -21,11 +22,15 @@ std::map<std::string, PcdHeader::Words> read_header(std::istream& in, const std:
     if (words.empty() || words[0][0] == '#') continue;
     const std::string keyword(words[0]);
     if (in.eof() && !header.empty()) throw FileFailure(path, "truncated: ends in its PCD header");
-    if (std::find(keywords.begin(), keywords.end(), keyword) == keywords.end())
+    if (std::find(kKeywords.begin(), kKeywords.end(), keyword) == kKeywords.end())
       throw FileFailure(path, header.empty()
                                   ? "not a PCD file, expected a header that begins "
                                     "with '# .PCD' or 'VERSION'"
                                   : "its PCD header has an unknown line '" + shown(keyword) + "'");
+    // PCL has both names for one list, and believes each line of several.
+    const bool columns = keyword == "COLUMNS" || keyword == "FIELDS";
+    if (header.count(keyword) || (columns && (header.count("COLUMNS") || header.count("FIELDS"))))
+      throw FileFailure(path, "its PCD header has a second line '" + keyword + "'");
     header[keyword] = PcdHeader::Words(words.begin() + 1, words.end());
   }
   if (header.empty()) throw FileFailure(path, "not a PCD file, it has no header");
@@ -36,6 +41,21 @@ std::map<std::string, PcdHeader::Words> read_header(std::istream& in, const std:
 
 PcdHeader::PcdHeader(std::istream& in, const std::string& path)
     : path_(path), lines_(read_header(in, path)) {}
+
+void PcdHeader::require_end(std::istream& in) const {
+  const auto start = in.tellg();
+  std::string line;
+  std::size_t begin = line.npos;
+  while ((begin == line.npos || line[begin] == '#') && std::getline(in, line))
+    begin = line.find_first_not_of(" \t\r\v\f");
+  begin = std::min(begin, line.size());
+  for (const std::string keyword : kKeywords)
+    if (line.compare(begin, keyword.size(), keyword) == 0)
+      throw FileFailure(path_, "damaged: its points begin with a line '" + keyword +
+                                   "', which PCL would take for one of the header");
+  in.clear();
+  in.seekg(start);
+}
 
 const PcdHeader::Words& PcdHeader::words(const std::string& key) const {
   if (!has(key) || lines_.at(key).empty())

@@ -18,6 +18,10 @@ class PcdHeader {
   /// Reads up to and with the line DATA.
   PcdHeader(std::istream& in, const std::string& path);
 
+  /// PCL reads header lines for as long as there are any, also behind DATA, where a binary file has
+  /// its points. `in` stands there.
+  void require_end(std::istream& in) const;
+
   bool has(const std::string& key) const { return lines_.count(key) > 0; }
   const Words& words(const std::string& key) const;
 

@@ -2,6 +2,7 @@
 
 #include "failure.h"
 #include "format_check.h"
+#include "ply_grid.h"
 #include "ply_header.h"
 #include "text_body.h"
 
@@ -14,6 +15,8 @@ void check_size(const PlyHeader& header, const std::string& path, std::uint64_t 
   for (const auto& element : header.elements) {
     const bool text = header.format == PlyHeader::Ascii;
     const std::uint64_t each = text ? 2 * element.properties.size() : element.least_bytes();
+    if (each == 0 && element.count > 0)
+      throw FileFailure(path, "its PLY header gives element '" + element.name + "' no properties");
     if (each == 0) continue;
     if (element.count > left / each)
       throw FileFailure(path, "truncated: its header declares " + std::to_string(element.count) +
@@ -67,6 +70,7 @@ std::uint64_t check_ply(const std::string& path) {
   check_no_list(*vertex, path);
   check_colors(*vertex, path);
   check_size(header, path, bytes_left(in));
+  check_grid(in, header, path, vertex->count);
   if (header.format == PlyHeader::Ascii) {
     for (const auto& element : header.elements)
       check_rows(in, path, element.count, element.has_list() ? 0 : element.properties.size(),

@@ -57,6 +57,19 @@ PlyHeader::Format format_of(const std::vector<std::string_view>& words, const st
                     "binary_little_endian or binary_big_endian, version 1.0");
 }
 
+/// Of all that obj_info may say, what PCL acts on.
+void read_obj_info(PlyHeader& header, const std::string& line,
+                   const std::vector<std::string_view>& words, const std::string& path) {
+  if (line.compare(0, words[0].size(), words[0]) != 0)
+    throw FileFailure(path, "its PLY header has a line 'obj_info' that begins with a blank");
+  if (words.size() < 2 || (words[1] != "num_cols" && words[1] != "num_rows")) return;
+  const auto count = words.size() == 3 ? parse_unsigned(words[2]) : std::nullopt;
+  if (!count || *count == 0 || *count > 0x7fffffffu)
+    throw FileFailure(path, "its PLY header has obj_info " + shown(words[1]) +
+                                " without a count from 1 to 2147483647");
+  (words[1] == "num_cols" ? header.columns : header.rows) = *count;
+}
+
 }  // namespace
 
 bool PlyElement::has_list() const {
@@ -86,8 +99,10 @@ PlyHeader read_ply_header(std::istream& in, const std::string& path) {
   bool has_format = false;
   while (std::getline(in, line) && !in.eof()) {
     const auto words = words_of(line);
-    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
-    if (words[0] == "format") {
+    if (words.empty() || words[0] == "comment") continue;
+    if (words[0] == "obj_info") {
+      read_obj_info(header, line, words, path);
+    } else if (words[0] == "format") {
       header.format = format_of(words, path);
       has_format = true;
     } else if (words[0] == "element") {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <istream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct PlyElement {
 struct PlyHeader {
   enum Format { Ascii, LittleEndian, BigEndian } format = Ascii;
   std::vector<PlyElement> elements;
+  std::optional<std::uint64_t> columns, rows;  // obj_info num_cols and num_rows
 
   const PlyElement* find(const std::string& name) const;
 };

@@ -38,9 +38,9 @@ std::vector<Rigid> escalated_seeds(const NormalisedPair& pair, const Viewpoints&
 
   std::vector<Rigid> out;
   const auto search = [&](const Features& turned) {
-    const auto matches = match_mutual(turned, target, kNearest,
-                                      static_cast<std::size_t>(settings.escalation_correspondences),
-                                      kernels, threads);
+    const auto matches = match_distinct(
+        turned, target, kNearest, static_cast<std::size_t>(settings.escalation_correspondences),
+        kernels, threads);
     const double threshold = settings.seed_threshold * d.leaf_dense;
     const Consistency consistency(d.source_dense, d.target_dense, matches, threshold, kernels,
                                   threads);

@@ -10,10 +10,9 @@ namespace emtr {
 std::vector<Rigid> Pool::shortlist(const std::vector<Rigid>& poses, std::size_t most,
                                    Team& team) const {
   std::vector<double> quick(poses.size());
-  std::vector<Fit::Scratch> scratch(team.size());
+  std::vector<Ranking::Scratch> scratch(team.size());
   team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-    quick[i] =
-        surfaces_.ranking().fit().evaluate(poses[i], Surfaces::kQuickStep, scratch[thread]).chf;
+    quick[i] = surfaces_.ranking().quick(poses[i], Surfaces::kQuickStep, scratch[thread]).score;
   });
   std::vector<std::size_t> order(poses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -51,7 +50,7 @@ void Pool::add(const std::vector<Rigid>& poses, Team& team) {
 Candidate Pool::judged(const Rigid& start, Scratch& scratch) const {
   const Ranking& ranking = surfaces_.ranking();
   const auto quick = [&](const Rigid& pose) {
-    return ranking.fit().evaluate(pose, Surfaces::kQuickStep, scratch.ranking.fit).chf;
+    return ranking.quick(pose, Surfaces::kQuickStep, scratch.ranking).score;
   };
   Rigid pose = surfaces_.polish()(start, scratch.polish, 1, prior_).pose;
   if (quick(pose) < quick(start)) pose = start;  // polish can run off along a plane

@@ -24,7 +24,7 @@ class Pool {
   explicit Pool(const Surfaces& surfaces, const Prior* prior = nullptr)
       : surfaces_(surfaces), prior_(prior) {}
 
-  /// The `most` poses with the best quick fit that are no copies of each other, best first.
+  /// The `most` poses with the best quick score that are no copies of each other, best first.
   std::vector<Rigid> shortlist(const std::vector<Rigid>& poses, std::size_t most, Team& team) const;
 
   /// Polishes and scores them, and takes them in.

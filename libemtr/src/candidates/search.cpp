@@ -1,6 +1,6 @@
 #include "search.h"
 
-#include "../error.h"
+#include "../ranking/given_viewpoints.h"
 #include "escalation.h"
 
 namespace emtr {
@@ -36,10 +36,9 @@ void CandidateSearch::add(const std::vector<Rigid>& poses, const std::vector<Rig
 }
 
 void CandidateSearch::escalate() {
-  const Viewpoints of_source = viewpoints(surfaces_.source(), settings_.has_viewpoint_source,
-                                          settings_.viewpoint_source, pair_.frame.center_source);
-  const Viewpoints of_target = viewpoints(surfaces_.target(), settings_.has_viewpoint_target,
-                                          settings_.viewpoint_target, pair_.frame.center_target);
+  const GivenViewpoints given(settings_, pair_.frame);
+  const Viewpoints of_source = viewpoints(surfaces_.source(), given.source);
+  const Viewpoints of_target = viewpoints(surfaces_.target(), given.target);
   const auto seeds = admissible(
       escalated_seeds(pair_, of_source, of_target, settings_, kernels_, threads_), prior_);
   oriented_ = std::make_unique<Surfaces>(surfaces_.source(), surfaces_.target(), of_source,
@@ -54,15 +53,11 @@ void CandidateSearch::escalate() {
   pool_ = std::move(pool);
 }
 
-Viewpoints CandidateSearch::viewpoints(const Surface& surface, bool given, const double at[3],
-                                       const double center[3]) const {
+Viewpoints CandidateSearch::viewpoints(const Surface& surface,
+                                       const std::optional<Viewpoint>& given) const {
   if (!settings_.free_space) return {};
-  if (!given) return estimate_viewpoints(surface, kernels_);
-  Viewpoint normalised;
-  for (int a = 0; a < 3; ++a) normalised.at[a] = (at[a] - center[a]) / pair_.frame.scale;
-  if (!is_near(normalised.at, 3))
-    throw Error(EMTR_ERROR_SETTING, "a viewpoint lies a million radii away from its cloud");
-  return given_viewpoint(surface, normalised, kernels_);
+  return given ? given_viewpoint(surface, *given, kernels_)
+               : estimate_viewpoints(surface, kernels_);
 }
 
 }  // namespace emtr

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "../frame/frame.h"
 #include "../seeds/seeds.h"
@@ -17,7 +18,7 @@ class CandidateSearch {
   CandidateSearch(const NormalisedPair& pair, const Surfaces& surfaces, const Settings& settings,
                   const Kernels& kernels, const Prior* prior = nullptr);
 
-  /// The seeds with the best quick fit, no copies; see admissible().
+  /// The seeds with the best quick score, no copies; see admissible().
   std::vector<Rigid> shortlist(const std::vector<Seed>& seeds) const;
 
   /// Takes in poses as they are, and the best of `many`.
@@ -30,8 +31,7 @@ class CandidateSearch {
   const std::vector<Candidate>& ranked() const { return pool_->ranked(); }
 
  private:
-  Viewpoints viewpoints(const Surface& surface, bool given, const double at[3],
-                        const double center[3]) const;
+  Viewpoints viewpoints(const Surface& surface, const std::optional<Viewpoint>& given) const;
 
   const NormalisedPair& pair_;
   const Surfaces& surfaces_;

@@ -11,6 +11,7 @@ namespace {
 static_assert(kFeatureSize == kDescriptor);
 
 constexpr std::size_t kRowsOfAPiece = 64;
+constexpr std::size_t kCrowd = 10;  // of the nearest, whose last tells how common a descriptor is
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 /// The rows of the points that have a descriptor.
@@ -68,11 +69,13 @@ struct Nearest {
     return {squared.data() + first, index.data() + first, n, k};
   }
 
-  bool contains(std::size_t item, std::int32_t other) const {
-    for (std::size_t j = 0; j < k; ++j)
+  bool among_first(std::size_t most, std::size_t item, std::int32_t other) const {
+    for (std::size_t j = 0; j < most; ++j)
       if (index[j * n + item] == other) return true;
     return false;
   }
+
+  float farthest(std::size_t item) const { return squared[(k - 1) * n + item]; }
 
   /// Takes in what another thread found; by distance and index, so that it does not matter which
   /// thread has seen what.
@@ -89,49 +92,77 @@ struct Nearest {
   }
 };
 
+/// What each side's points are nearest to on the other, `wanted` each.
+struct BothWays {
+  std::vector<std::int32_t> source, target;  // rows of the points that have a descriptor
+  Nearest forward, backward;
+
+  BothWays(const DescriptorRows& source_features, const DescriptorRows& target_features,
+           std::size_t wanted, const Kernels& kernels, int threads)
+      : source(described(source_features)), target(described(target_features)) {
+    if (source.empty() || target.empty() || wanted == 0) return;
+    const std::vector<float> rows = packed(source_features, source);
+    const Blocks columns(target_features, target);
+    forward = Nearest(source.size(), wanted);
+    std::vector<Nearest> found(static_cast<std::size_t>(threads));  // backward, by thread
+    const std::size_t pieces = (source.size() + kRowsOfAPiece - 1) / kRowsOfAPiece;
+    Team::with(threads, [&](Team& team) {
+      team.parallel(pieces, [&](std::size_t piece, std::size_t thread) {
+        Nearest& mine = found[thread];
+        if (mine.n == 0) mine = Nearest(columns.padded(), wanted);
+        const std::size_t first = piece * kRowsOfAPiece;
+        kernels.nearest_descriptors(&rows[first * source_features.dimension],
+                                    std::min(kRowsOfAPiece, source.size() - first),
+                                    static_cast<std::int32_t>(first), columns.view(),
+                                    forward.lists(first), mine.lists());
+      });
+    });
+    backward = Nearest(columns.padded(), wanted);
+    for (const Nearest& part : found)
+      if (part.n != 0) backward.merge(part);
+  }
+
+  /// Pairs among the first k of each other, the least `order(squared, row, column)` first.
+  template <class Order>
+  std::vector<Correspondence> mutual(std::size_t k, std::size_t most, const Order& order) const {
+    std::vector<std::tuple<float, std::int32_t, std::int32_t>> found;
+    for (std::size_t i = 0; i < forward.n; ++i)
+      for (std::size_t j = 0; j < k; ++j) {
+        const std::int32_t other = forward.index[j * forward.n + i];
+        if (other < 0) break;
+        const auto column = static_cast<std::size_t>(other);
+        if (backward.among_first(k, column, static_cast<std::int32_t>(i)))
+          found.emplace_back(order(forward.squared[j * forward.n + i], i, column), source[i],
+                             target[column]);
+      }
+    std::sort(found.begin(), found.end());
+    found.resize(std::min(found.size(), most));
+    std::vector<Correspondence> out;
+    out.reserve(found.size());
+    for (const auto& [key, i, j] : found) out.push_back({i, j});
+    return out;
+  }
+};
+
 }  // namespace
 
 std::vector<Correspondence> match_mutual(const DescriptorRows& source, const DescriptorRows& target,
                                          int k, std::size_t most, const Kernels& kernels,
                                          int threads) {
-  const std::vector<std::int32_t> s = described(source), t = described(target);
-  if (s.empty() || t.empty() || k < 1) return {};
-  const std::vector<float> rows = packed(source, s);
-  const Blocks columns(target, t);
-  const auto wanted = static_cast<std::size_t>(k);
+  const auto wanted = static_cast<std::size_t>(std::max(k, 0));
+  const BothWays near(source, target, wanted, kernels, threads);
+  return near.mutual(wanted, most, [](float squared, std::size_t, std::size_t) { return squared; });
+}
 
-  Nearest forward(s.size(), wanted);
-  std::vector<Nearest> found(static_cast<std::size_t>(threads));  // backward, by thread
-  const std::size_t pieces = (s.size() + kRowsOfAPiece - 1) / kRowsOfAPiece;
-  Team::with(threads, [&](Team& team) {
-    team.parallel(pieces, [&](std::size_t piece, std::size_t thread) {
-      Nearest& backward = found[thread];
-      if (backward.n == 0) backward = Nearest(columns.padded(), wanted);
-      const std::size_t first = piece * kRowsOfAPiece;
-      kernels.nearest_descriptors(
-          &rows[first * source.dimension], std::min(kRowsOfAPiece, s.size() - first),
-          static_cast<std::int32_t>(first), columns.view(), forward.lists(first), backward.lists());
-    });
+std::vector<Correspondence> match_distinct(const DescriptorRows& source,
+                                           const DescriptorRows& target, int k, std::size_t most,
+                                           const Kernels& kernels, int threads) {
+  const auto wanted = static_cast<std::size_t>(std::max(k, 0));
+  const BothWays near(source, target, std::max(wanted, kCrowd), kernels, threads);
+  return near.mutual(wanted, most, [&](float squared, std::size_t row, std::size_t column) {
+    const float f = near.forward.farthest(row), b = near.backward.farthest(column);
+    return f > 0 && b > 0 ? (squared / f) * (squared / b) : 1.0f;
   });
-  Nearest backward(columns.padded(), wanted);
-  for (const Nearest& part : found)
-    if (part.n != 0) backward.merge(part);
-
-  std::vector<std::tuple<float, std::int32_t, std::int32_t>> mutual;
-  for (std::size_t i = 0; i < s.size(); ++i)
-    for (std::size_t j = 0; j < wanted; ++j) {
-      const std::int32_t other = forward.index[j * forward.n + i];
-      if (other < 0) break;
-      const auto column = static_cast<std::size_t>(other);
-      if (backward.contains(column, static_cast<std::int32_t>(i)))
-        mutual.emplace_back(forward.squared[j * forward.n + i], s[i], t[column]);
-    }
-  std::sort(mutual.begin(), mutual.end());
-  mutual.resize(std::min(mutual.size(), most));
-  std::vector<Correspondence> out;
-  out.reserve(mutual.size());
-  for (const auto& [distance, i, j] : mutual) out.push_back({i, j});
-  return out;
 }
 
 }  // namespace emtr

@@ -35,6 +35,13 @@ std::vector<Correspondence> match_mutual(const DescriptorRows& source, const Des
                                          int k, std::size_t most, const Kernels& kernels,
                                          int threads);
 
+/// The same pairs, those first that stand out: by the distance between the descriptors over that to
+/// the tenth nearest, of both points. On planes and the like, of which a scan is full, descriptors
+/// are near to many; ordered by distance alone such pairs would leave no place for others.
+std::vector<Correspondence> match_distinct(const DescriptorRows& source,
+                                           const DescriptorRows& target, int k, std::size_t most,
+                                           const Kernels& kernels, int threads);
+
 /// Mutual nearest neighbours.
 inline std::vector<Correspondence> match(const DescriptorRows& source, const DescriptorRows& target,
                                          std::size_t most, const Kernels& kernels, int threads) {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "../enum_number.h"
 #include "../error.h"
 
 namespace emtr {
@@ -23,8 +24,8 @@ class CloudReader {
   CloudReader(const emtr_cloud& cloud, const std::string& name)
       : first_(static_cast<const char*>(cloud.points)),
         count_(cloud.count),
-        single_(cloud.scalar == EMTR_FLOAT32) {
-    if (!single_ && cloud.scalar != EMTR_FLOAT64)
+        single_(number_of(cloud.scalar) == EMTR_FLOAT32) {
+    if (!single_ && number_of(cloud.scalar) != EMTR_FLOAT64)
       throw Error(EMTR_ERROR_ARGUMENT, name + ": scalar must be EMTR_FLOAT32 or EMTR_FLOAT64");
     if (!cloud.points && cloud.count) throw Error(EMTR_ERROR_ARGUMENT, name + ": points is null");
     const std::size_t packed = 3 * (single_ ? sizeof(float) : sizeof(double));

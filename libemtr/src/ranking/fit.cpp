@@ -84,7 +84,8 @@ Fit::Sums Fit::sums(const Cloud& points, const Cloud& normals, const Rigid& pose
         unit;
     const float dot = (s.nx[i] * q.n[0] + s.ny[i] * q.n[1]) + s.nz[i] * q.n[2];
     // Without a normal both are NaN, and no inlier. No branches: which way they go is a toss-up.
-    const bool inlier = (std::abs(dot) > kSameWay) & (std::abs(e) < kTolerance);
+    const bool same_way = std::abs(dot) > kSameWay, near = std::abs(e) < kTolerance;
+    const bool inlier = same_way & near;
     const float off = e * (1.0f / kTolerance), w = 1.0f - off * off;
     const float weight = inlier ? w * w : 0.0f;
     sum.weight += static_cast<double>(weight);
@@ -122,12 +123,19 @@ FitValue Fit::evaluate(const Rigid& pose, Scratch& scratch) const {
 
 FitValue Fit::evaluate(const Rigid& pose, std::size_t step, Scratch& scratch) const {
   if (step == 1) return evaluate(pose, scratch);
-  for (const Subset& subset : subsets_) {
-    if (subset.step != step) continue;
-    const Cloud* const points[2] = {&subset.points[0], &subset.points[1]};
-    const Cloud* const normals[2] = {&subset.normals[0], &subset.normals[1]};
-    return value(points, normals, pose, scratch);
-  }
+  const Subset& some = subset(step);
+  const Cloud* const points[2] = {&some.points[0], &some.points[1]};
+  const Cloud* const normals[2] = {&some.normals[0], &some.normals[1]};
+  return value(points, normals, pose, scratch);
+}
+
+const Cloud& Fit::points(int side, std::size_t step) const {
+  return step == 1 ? side_[side].surface->points : subset(step).points[side];
+}
+
+const Fit::Subset& Fit::subset(std::size_t step) const {
+  for (const Subset& some : subsets_)
+    if (some.step == step) return some;
   throw std::invalid_argument("step: expected one that was prepared");
 }
 

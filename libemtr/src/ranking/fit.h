@@ -48,6 +48,8 @@ class Fit {
   /// points of a step are gathered by prepare(), which must have been called for it.
   FitValue evaluate(const Rigid& pose, std::size_t step, Scratch& scratch) const;
   void prepare(std::size_t step);
+  /// Those points, of the source (0) or the target (1).
+  const Cloud& points(int side, std::size_t step) const;
 
  private:
   /// One point with its normal in half a cache line.
@@ -66,6 +68,7 @@ class Fit {
     std::size_t step;
     Cloud points[2], normals[2];
   };
+  const Subset& subset(std::size_t step) const;
 
   static Side make_side(const Surface& surface, const Kernels& kernels);
   Sums sums(const Cloud& points, const Cloud& normals, const Rigid& pose, const Side& to,

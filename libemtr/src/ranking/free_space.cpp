@@ -22,17 +22,16 @@ FreeSpace::FreeSpace(const Surface& source, const Surface& target, const Viewpoi
       of_source_(maps(source, of_source, kernels)),
       of_target_(maps(target, of_target, kernels)) {}
 
-double FreeSpace::violation(const Rigid& pose, double sign, Scratch& scratch) const {
+double FreeSpace::violation(const Cloud& source, const Cloud& target, const Rigid& pose,
+                            double sign, Scratch& scratch) const {
   const Rigid back = pose.inverse();
   const auto share = [&](const DepthMap& map, const Cloud& points, const Rigid& moved) {
     return static_cast<double>(map.in_front(points, moved, scratch)) /
            static_cast<double>(points.size());
   };
   double s[2] = {}, t[2] = {};  // of the points in front of what the source's sensor saw, ...
-  for (std::size_t i = 0; i < of_source_.size(); ++i)
-    s[i] = share(of_source_[i], target_.points, back);
-  for (std::size_t i = 0; i < of_target_.size(); ++i)
-    t[i] = share(of_target_[i], source_.points, pose);
+  for (std::size_t i = 0; i < of_source_.size(); ++i) s[i] = share(of_source_[i], target, back);
+  for (std::size_t i = 0; i < of_target_.size(); ++i) t[i] = share(of_target_[i], source, pose);
 
   double least = 1;
   const auto same_side = [sign](std::size_t i, std::size_t j) { return (i == j) == (sign > 0); };

@@ -26,7 +26,12 @@ class FreeSpace {
   /// the surface where it is positive, so that first goes with first and mirrored with mirrored;
   /// first with mirrored where it is negative. The least of those combinations counts. Where only
   /// one surface has viewpoints, where both are given, or where the sign is 0, all are tried.
-  double violation(const Rigid& pose, double sign, Scratch& scratch) const;
+  double violation(const Rigid& pose, double sign, Scratch& scratch) const {
+    return violation(source_.points, target_.points, pose, sign, scratch);
+  }
+  /// The same of a part of both clouds' points.
+  double violation(const Cloud& source, const Cloud& target, const Rigid& pose, double sign,
+                   Scratch& scratch) const;
 
  private:
   const Surface& source_;

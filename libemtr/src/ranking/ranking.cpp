@@ -32,4 +32,13 @@ Ranking::Value Ranking::evaluate(const Rigid& pose, Scratch& scratch, double lea
   return out;
 }
 
+Ranking::Value Ranking::quick(const Rigid& pose, std::size_t step, Scratch& scratch) const {
+  Value out;
+  out.fit = fit_.evaluate(pose, step, scratch.fit);
+  out.violation = free_space_.violation(fit_.points(0, step), fit_.points(1, step), pose,
+                                        out.fit.sign, scratch.free_space);
+  out.score = (both_given_ ? out.fit.same_side : out.fit.chf) - kWeight * out.violation;
+  return out;
+}
+
 }  // namespace emtr

@@ -36,7 +36,8 @@ class Ranking {
   Value evaluate(const Rigid& pose, Scratch& scratch,
                  double least = -std::numeric_limits<double>::infinity()) const;
 
-  /// For a first pass over many poses: Fit by every step-th point (see Fit::prepare).
+  /// For a first pass over many poses: by every step-th point alone (see Fit::prepare).
+  Value quick(const Rigid& pose, std::size_t step, Scratch& scratch) const;
   Fit& fit() { return fit_; }
   const Fit& fit() const { return fit_; }
 

@@ -64,6 +64,30 @@ TEST_F(Pool, AShortlistIsOrderedByTheQuickFitAndHasNoCopies) {
   }
 }
 
+TEST_F(Pool, AShortlistKnowsFreeSpace) {
+  // Shifted against the target's sensor the source stands where that looked through.
+  const emtr_test::Vector at = scene().sensor_target();
+  const emtr::Frame& frame = scene().normalised.frame;
+  emtr::Viewpoint sensor;
+  double length = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    sensor.at[a] = (at[a] - frame.center_target[a]) / frame.scale;
+    length += sensor.at[a] * sensor.at[a];
+  }
+  Eigen::Vector3d toward(sensor.at[0], sensor.at[1], sensor.at[2]);
+  toward *= 0.4 / std::sqrt(length);
+  const std::vector<Rigid> both{scene().off({0, 0, 0}, toward), scene().off({0, 0, 0}, -toward)};
+  const emtr::Surfaces seen(scene().source, scene().target, {}, {{sensor}, 1},
+                            emtr::select_kernels());
+  emtr::Ranking::Scratch scratch;
+  const auto front = seen.ranking().quick(both[0], emtr::Surfaces::kQuickStep, scratch);
+  EXPECT_GT(front.violation, 0.1);
+  std::vector<Rigid> out;
+  Team::with(1, [&](Team& team) { out = emtr::Pool(seen).shortlist(both, 1, team); });
+  ASSERT_EQ(out.size(), 1u);
+  EXPECT_TRUE(same_bits(out.front(), both[1]));
+}
+
 TEST_F(Pool, OnlyCopiesOfBetterOnesAreLeftOut) {
   const auto out = shortlist(poses().size());
   std::size_t left_out = 0;

@@ -169,6 +169,58 @@ TEST(Matching, DescriptorsOfAnySizeAreComparedInEachKernelAndForAnyThreads) {
   }
 }
 
+/// Of the k-th nearest of a row; squared, in float.
+float kth(const emtr::Features& a, std::size_t i, const emtr::Features& b, std::size_t m,
+          std::size_t k) {
+  std::vector<float> all;
+  for (std::size_t j = 0; j < m; ++j) all.push_back(squared_in_float(a, i, b, j));
+  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k - 1), all.end());
+  return all[k - 1];
+}
+
+TEST(Matching, DistinctPairsAreTheMutualOnesOrderedByHowMuchTheyStandOut) {
+  const auto a = random_features(150, 17), b = random_features(211, 18);
+  std::vector<std::tuple<float, std::int32_t, std::int32_t>> sorted;
+  for (const auto& [i, j] : mutual_by_brute_force(a, 150, b, 211, 3)) {
+    const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
+    const float d = squared_in_float(a, row, b, column), f = kth(a, row, b, 211, 10),
+                g = kth(b, column, a, 150, 10);
+    sorted.emplace_back((d / f) * (d / g), i, j);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  Pairs expected;
+  for (const auto& [key, i, j] : sorted) expected.emplace_back(i, j);
+  ASSERT_GT(expected.size(), 50u);
+  for (const emtr::Kernels* kernels : emtr_test::kernels_here())
+    for (const int threads : {1, 3})
+      EXPECT_EQ(pairs(emtr::match_distinct(a, b, 3, 1000000, *kernels, threads)), expected);
+  expected.resize(20);
+  EXPECT_EQ(pairs(emtr::match_distinct(a, b, 3, 20, emtr::select_kernels(), 2)), expected);
+}
+
+TEST(Matching, APairThatStandsOutComesBeforeNearerOnesOfACrowd) {
+  emtr::Features a = random_features(30, 19), b = a;
+  for (std::size_t i = 0; i < 29; ++i)  // all but the last are nearly one descriptor
+    for (std::size_t k = 0; k < 33; ++k)
+      for (emtr::Features* f : {&a, &b})
+        f->descriptors[33 * i + k] =
+            50 + 1e-3f * f->descriptors[33 * i + k] + (f == &b ? 1e-3f : 0);
+  for (std::size_t k = 0; k < 33; ++k) b.descriptors[33 * 29 + k] += 0.5f;
+  const auto& kernels = emtr::select_kernels();
+  EXPECT_EQ(emtr::match_mutual(a, b, 3, 1000, kernels, 1).back().source, 29);
+  EXPECT_EQ(emtr::match_distinct(a, b, 3, 1000, kernels, 1).front().source, 29);
+}
+
+TEST(Matching, IdenticalDescriptorsStandOutLeast) {
+  emtr::Features a = random_features(25, 20);
+  for (std::size_t i = 5; i < 25; ++i)
+    std::copy_n(a.descriptors.begin(), 33, &a.descriptors[33 * i]);
+  const auto all = emtr::match_distinct(a, a, 1, 1000, emtr::select_kernels(), 1);
+  ASSERT_EQ(all.size(), 5u);
+  EXPECT_EQ(all.back().source, 0);  // one of twenty-one
+  EXPECT_TRUE(emtr::match_distinct(a, emtr::Features{}, 3, 10, emtr::select_kernels(), 1).empty());
+}
+
 TEST(Matching, OfEqualDistancesTheSmallestRowIsTheNearer) {
   emtr::Features a = random_features(40, 9);
   emtr::Features twice = a;  // each descriptor again, 40 rows later

@@ -52,6 +52,18 @@ TEST(FreeSpace, TheMeanOfBothShares) {
   EXPECT_EQ(violation(kBelow, kAbove, shift(-0.5), 1), 0);
 }
 
+TEST(FreeSpace, OfAPartOfThePointsTheShareIsThatOfThePart) {
+  const Surface a = wall(), b = wall();
+  emtr::Cloud some;  // of the source: two points near the middle
+  some.x = {0, 0.04f};
+  some.y = some.z = {0, 0};
+  FreeSpace::Scratch scratch;
+  const FreeSpace both(a, b, kAbove, kAbove, kernels());
+  EXPECT_EQ(both.violation(some, b.points, shift(0.5), 1, scratch), 0.5);
+  EXPECT_EQ(both.violation(a.points, b.points, shift(0.5), 1, scratch),
+            both.violation(shift(0.5), 1, scratch));
+}
+
 TEST(FreeSpace, NoViewpointsNoViolation) {
   EXPECT_EQ(violation(kNone, kNone, shift(0.5), 1), 0);
   EXPECT_EQ(violation(kNone, kNone, shift(0.5), -1), 0);

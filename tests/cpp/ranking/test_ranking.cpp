@@ -59,6 +59,21 @@ TEST(Ranking, LeavesOutViolationsOfPosesThatCannotMatter) {
   EXPECT_EQ(ranking.evaluate(wrong, scratch, -1).score, all.score);
 }
 
+TEST(Ranking, TheQuickScoreIsTheScoreOfAPart) {
+  Ranking ranking(corner(0), corner(0.3), kAt, kAt, kernels());
+  ranking.fit().prepare(8);
+  Ranking::Scratch scratch;
+  const double particle[6] = {0, 0, 1.5707963267948966, 0, 0.4, 0};
+  for (const Rigid& T : {Rigid{}, emtr::decode(particle)}) {
+    const Ranking::Value all = ranking.evaluate(T, scratch), some = ranking.quick(T, 8, scratch);
+    EXPECT_EQ(some.fit.chf, ranking.fit().evaluate(T, 8, scratch.fit).chf);
+    EXPECT_EQ(some.score, some.fit.same_side - 2 * some.violation);
+    EXPECT_NEAR(some.violation, all.violation, 0.05);
+    EXPECT_EQ(ranking.quick(T, 1, scratch).score, all.score);
+  }
+  EXPECT_LT(ranking.quick(emtr::decode(particle), 8, scratch).score, 0);
+}
+
 TEST(Ranking, BackOnFrontIsNoFitWhereBothSensorsAreKnown) {
   // The floor slid under itself, half a turn about x: only its back can lie on the front.
   const double particle[6] = {0, 0, 3.141592653589793, 0, 0.7, 0};

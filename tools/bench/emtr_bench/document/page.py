@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from .ablation_section import ablation_section
 from .accuracy_section import accuracy_section
 from .calibration_section import calibration_section
 from .cost_sections import neighbors_section, regress_section, scaling_section, stages_section
@@ -17,6 +18,7 @@ from .running import Kept, kept
 
 _TITLES = {
     "accuracy": "Accuracy",
+    "ablation": "Each part off in turn",
     "calibration": "How far the confidence can be believed",
     "peers": "Beside other libraries",
     "stages": "Stages, and the candidate grid",
@@ -28,6 +30,8 @@ _EXPLANATIONS = {
     "accuracy": "Success: E_R < 5 degrees, as in the paper; joint: E_t < 0.06 of the larger "
     "cloud's radius too. Errors are over the successes, E_R in degrees; precision and recall are "
     "those of `registered` against joint success. Seconds: mean wall time.",
+    "ablation": "Joint success in percent by tier (pairs), and the median of the wall seconds. "
+    "Without seeds there is no second search either, which would make some: the swarms search.",
     "calibration": "Of the runs above that were made on all pairs, and of scans that do not belong "
     "together, which have no right pose. Right: joint success. The calibration error is the mean "
     "distance of mean confidence and share right, bin by bin; the Brier score the mean square of "
@@ -59,6 +63,7 @@ def page(parts: list[Part], pictures: Path, out: Path) -> str:
 
     renderers: dict[str, Callable[[dict[str, Any]], str]] = {
         "accuracy": accuracy_section,
+        "ablation": ablation_section,
         "calibration": lambda value: calibration_section(value, picture("calibration.png")),
         "peers": peers_section,
         "stages": stages_section,

@@ -7,7 +7,9 @@ from pathlib import Path
 
 THREADS = "2"
 UNRELATED = "200"  # pairings of scans that do not belong together
-NAMES = ("accuracy", "calibration", "peers", "stages", "scaling", "neighbors", "regress")
+NAMES = (
+    "accuracy", "calibration", "ablation", "peers", "stages", "scaling", "neighbors", "regress",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -58,6 +60,7 @@ def all_parts(folder: Path, pictures: Path, presets: list[str], smoke: bool) -> 
     return [
         *parts,
         part("calibration", *judged, f"--plot={pictures / 'calibration.png'}"),
+        part("ablation", "--threads", THREADS, *pick((), ("--smoke",))),
         part("peers", *pick(peers, ("--smoke",))),
         part("stages", *pick((), ("--smoke",))),
         part("scaling", *pick((), ("--smoke",)), f"--plot={pictures / 'scaling.png'}"),

@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include "error.h"
+#include "ranking/given_viewpoints.h"
+
+namespace {
+
+using emtr::GivenViewpoints;
+
+emtr::Frame frame() {
+  emtr::Frame out;
+  out.scale = 2;
+  out.center_source[0] = 10;
+  out.center_target[2] = -4;
+  return out;
+}
+
+emtr::Settings settings() {
+  emtr::Settings out = emtr::preset("default");
+  out.has_viewpoint_source = 1;
+  out.viewpoint_source[0] = 16;
+  return out;
+}
+
+TEST(GivenViewpoints, AreInTheNormalisedFrameOfTheirOwnCloud) {
+  emtr::Settings s = settings();
+  const GivenViewpoints one(s, frame());
+  ASSERT_TRUE(one.source);
+  EXPECT_EQ(one.source->at[0], 3);
+  EXPECT_FALSE(one.target);
+  EXPECT_FALSE(one.both());
+  s.has_viewpoint_target = 1;
+  const GivenViewpoints two(s, frame());
+  ASSERT_TRUE(two.both());
+  EXPECT_EQ(two.target->at[2], 2);
+}
+
+TEST(GivenViewpoints, AreNotAskedForWhereFreeSpaceIsOff) {
+  emtr::Settings s = settings();
+  s.free_space = 0;
+  EXPECT_FALSE(GivenViewpoints(s, frame()).source);
+}
+
+TEST(GivenViewpoints, OneTooFarAwayIsRefused) {
+  emtr::Settings s = settings();
+  s.viewpoint_source[1] = 1e9;
+  EXPECT_THROW(GivenViewpoints(s, frame()), emtr::Error);
+}
+
+}  // namespace

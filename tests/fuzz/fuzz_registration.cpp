@@ -1,0 +1,140 @@
+// A whole registration of two tiny clouds: at once, of prepared clouds, and stage by stage.
+#include <emtr/emtr.h>
+
+#include <memory>
+#include <string>
+
+#include "any_cloud.h"
+#include "calls.h"
+#include "input.h"
+#include "small_settings.h"
+
+namespace {
+
+using fuzz::accepted;
+using fuzz::any_double;
+using fuzz::Input;
+using fuzz::require;
+
+template <class T>
+using Owned = std::unique_ptr<T, void (*)(T*)>;
+
+bool in_unit(double value) { return value >= 0 && value <= 1; }
+
+/// A rotation, a shift and (0, 0, 0, 1).
+void require_rigid(const double (&T)[16]) {
+  for (int i = 0; i < 3; ++i) {
+    require(std::isfinite(T[4 * i + 3]));
+    for (int j = 0; j <= i; ++j) {
+      double dot = 0;
+      for (int k = 0; k < 3; ++k) dot += T[4 * i + k] * T[4 * j + k];
+      require(std::abs(dot - (i == j)) < 1e-9);
+    }
+  }
+  require(T[12] == 0 && T[13] == 0 && T[14] == 0 && T[15] == 1);
+}
+
+void check(const emtr_result& result, const emtr_settings& settings) {
+  require(result.size == sizeof result);
+  require(result.registered == (result.reason == EMTR_REASON_REGISTERED));
+  if (std::isnan(result.transformation[0])) {
+    require(result.reason == EMTR_REASON_INTERRUPTED);
+    return;
+  }
+  require_rigid(result.transformation);
+  require(std::isnan(result.confidence) || in_unit(result.confidence));
+  require(in_unit(result.inlier_ratio_source) && in_unit(result.inlier_ratio_target));
+  require(result.fitness >= 0);
+  require(result.iterations <= static_cast<std::size_t>(settings.iterations));
+  require(result.alternative_count <= 10);
+  for (std::size_t i = 0; i < result.alternative_count; ++i)
+    require_rigid(result.alternatives[i].transformation);
+}
+
+/// Stops a run at one of its stages.
+struct Stop {
+  int left;
+  static int at(const emtr_progress* progress, void* user) {
+    require(progress->stage && progress->iteration <= progress->iterations);
+    return static_cast<Stop*>(user)->left-- == 0;
+  }
+};
+
+Owned<emtr_prepared> prepared(const emtr_cloud& cloud) {
+  emtr_prepared* out = nullptr;
+  accepted(emtr_prepare(&cloud, nullptr, 1, &out));
+  return {out, emtr_prepared_free};
+}
+
+void read_array(const emtr_problem* problem, Input& input) {
+  const auto which = static_cast<emtr_array>(input.ConsumeIntegralInRange(0, 15));
+  const void* data = nullptr;
+  std::size_t rows = 0, columns = 0;
+  if (!accepted(emtr_problem_array(problem, which, &data, &rows, &columns))) return;
+  unsigned sum = 0;
+  for (std::size_t i = 0; i < rows * columns * 4; ++i)
+    sum += static_cast<const unsigned char*>(data)[i];
+  require(sum < 0x80000000u);
+}
+
+/// Tasks, complement and conversions of a problem, for any particles.
+void use(emtr_problem* problem, Input& input) {
+  double particles[12], fitness[2], T[16], back[6], translation[3];
+  for (double& value : particles) value = any_double(input);
+  const auto stage = input.ConsumeBool() ? EMTR_STAGE_DENSE : EMTR_STAGE_SPARSE;
+  if (accepted(emtr_task_alpha_evaluate(problem, stage, particles, 2, fitness)))
+    require(fitness[0] >= 0 && fitness[1] >= 0);
+  if (accepted(emtr_task_beta_evaluate(problem, particles, 2, fitness)))
+    require(fitness[0] >= 0 && fitness[1] >= 0);
+  if (accepted(emtr_complement(problem, particles, translation)))
+    for (const double value : translation) require(std::isfinite(value));
+  if (accepted(emtr_particle_to_transformation(problem, particles, T))) {
+    require_rigid(T);
+    require(accepted(emtr_transformation_to_particle(problem, T, back)));
+    for (const double value : back) require(std::isfinite(value));
+    T[input.ConsumeIntegralInRange(0, 15)] = any_double(input);
+    accepted(emtr_transformation_to_particle(problem, T, back));
+  }
+  emtr_problem_info info;
+  require(accepted(emtr_problem_describe(problem, &info)));
+  require(info.scale > 0 && info.tims_pruned <= info.tims && info.leaf_dense > 0);
+  read_array(problem, input);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Input input(data, size);
+  const emtr_settings settings = fuzz::small_settings(input);
+  const fuzz::AnyCloud source(input, 48), target(input, 48);
+  Stop stop{input.ConsumeBool() ? input.ConsumeIntegralInRange(0, 15) : -1};
+  emtr_result* result = nullptr;
+  bool done = false;
+  switch (input.ConsumeIntegralInRange(0, 2)) {
+    case 0:
+      done = accepted(
+          emtr_register(&source.view(), &target.view(), &settings, Stop::at, &stop, &result));
+      break;
+    case 1: {
+      const auto a = prepared(source.view()), b = prepared(target.view());
+      done =
+          accepted(emtr_register_prepared(a.get(), b.get(), &settings, Stop::at, &stop, &result));
+      break;
+    }
+    default: {
+      emtr_problem* raw = nullptr;
+      const bool made =
+          accepted(emtr_problem_create(&source.view(), &target.view(), &settings, &raw));
+      require(made == (raw != nullptr));
+      if (!made) break;
+      const Owned<emtr_problem> problem(raw, emtr_problem_free);
+      use(problem.get(), input);
+      done = accepted(emtr_problem_solve(problem.get(), Stop::at, &stop, &result));
+    }
+  }
+  require(done == (result != nullptr));
+  if (!done) return 0;
+  const Owned<emtr_result> owned(result, emtr_result_free);
+  check(*result, settings);
+  return 0;
+}

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <emtr/emtr.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "calls.h"
+#include "cloud_file.h"
+#include "cloud_output.h"
+#include "coordinates.h"
+#include "failure.h"
+#include "moved_cloud.h"
+#include "scratch_file.h"
+
+namespace fuzz {
+
+/// Written as --aligned would, the cloud is whole again when it is read.
+inline void write_and_read(const cli::CloudFile& cloud, const std::string& path) {
+  try {
+    cli::require_writable_as(path, cloud);
+  } catch (const cli::FileFailure&) {
+    return;  // PLY cannot hold all fields that PCD can
+  }
+  cli::write_cloud(cloud, path, path);
+  try {
+    require(cli::load_cloud(path).size() == cloud.size());
+  } catch (const cli::FileFailure& failure) {
+    // Once in a while the fuzzer makes points whose bytes spell a line of a header.
+    require(std::string(failure.what()).find("its points begin with a line") != std::string::npos);
+  }
+}
+
+/// A file of these bytes as pcl_emtr takes it: read, or refused by a FileFailure and by nothing
+/// else; and what was read, used as the command does.
+inline void read_cloud(const std::string& extension, const std::uint8_t* data, std::size_t size) {
+  static const Scratch scratch;
+  const std::string path = scratch.file("in" + extension, data, size);
+  cli::CloudFile cloud;
+  try {
+    cloud = cli::load_cloud(path);
+  } catch (const cli::FileFailure&) {
+    return;
+  }
+  std::vector<double> copy;
+  const emtr_cloud points = cli::coordinates(cloud, copy);
+  require(points.count == cloud.size() && points.count > 0);
+  emtr_prepared* prepared = nullptr;
+  accepted(emtr_prepare(&points, "", 1, &prepared));
+  emtr_prepared_free(prepared);
+
+  const Eigen::Matrix4d quarter_turn =
+      (Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ()))
+          .matrix();
+  cli::move_cloud(cloud, quarter_turn);
+  write_and_read(cloud, scratch.path("out.pcd"));
+  write_and_read(cloud, scratch.path("out.ply"));
+}
+
+}  // namespace fuzz

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <emtr/emtr.h>
+
+#include <algorithm>
+
+#include "calls.h"
+#include "input.h"
+
+namespace fuzz {
+
+inline void limit(emtr_settings& settings, const char* name, double most) {
+  double value = 0;
+  require(accepted(emtr_setting_get(&settings, name, &value)));
+  require(accepted(emtr_setting_set(&settings, name, std::min(value, most))));
+}
+
+/// Any preset with any changes, of which only those that cost time are cut down.
+inline emtr_settings small_settings(Input& input) {
+  emtr_settings settings;
+  const char* preset = emtr_preset_name(input.ConsumeIntegralInRange<std::size_t>(0, 3));
+  require(accepted(emtr_settings_init(&settings, sizeof settings, preset)));
+  for (int n = input.ConsumeIntegralInRange(0, 6); n > 0; --n) {
+    emtr_setting_info info;
+    if (!accepted(emtr_setting_describe(input.ConsumeIntegral<std::uint8_t>(), &info))) continue;
+    const double share = input.ConsumeProbability<double>();
+    const double within = info.minimum + share * share * share * (info.maximum - info.minimum);
+    const bool whole = info.type != EMTR_SETTING_REAL;
+    accepted(emtr_setting_set(&settings, info.name, whole ? std::floor(within) : within));
+  }
+  settings.threads = 1;
+  limit(settings, "population", 3);
+  limit(settings, "iterations", 2);
+  limit(settings, "complement_iterations", 2);
+  limit(settings, "seeds", 4);
+  limit(settings, "candidates", 3);
+  limit(settings, "escalation_seeds", 4);
+  limit(settings, "escalation_candidates", 3);
+  // Images of what a sensor sees have a pixel for each leaf.
+  settings.minimum_leaf_spacing = std::max(settings.minimum_leaf_spacing, 0.5);
+  if (input.ConsumeIntegralInRange(0, 3) == 3) {
+    settings.has_guess = 1;
+    for (int i = 0; i < 4; ++i) settings.guess[5 * i] = 1;
+    if (input.ConsumeBool()) {  // a quarter turn about z
+      settings.guess[0] = settings.guess[5] = 0;
+      settings.guess[4] = 1;
+      settings.guess[1] = -1;
+    }
+    settings.guess[input.ConsumeIntegralInRange(0, 15)] = any_double(input);
+  }
+  const auto place = [&](std::int32_t& known, double(&at)[3]) {
+    if (input.ConsumeIntegralInRange(0, 3) != 3) return;
+    known = 1;
+    for (double& value : at) value = any_double(input);
+  };
+  place(settings.has_viewpoint_source, settings.viewpoint_source);
+  place(settings.has_viewpoint_target, settings.viewpoint_target);
+  return settings;
+}
+
+}  // namespace fuzz

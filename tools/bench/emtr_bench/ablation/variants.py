@@ -1,0 +1,43 @@
+"""What is switched off in turn, and by which settings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:  # the command line is read before it is known that numpy is there
+    from ..runner import Setting
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One row: the preset, but for these settings."""
+
+    block: str
+    part: str  # that is off; "nothing" for the block's own reference
+    settings: dict[str, Setting] = field(default_factory=dict)
+
+
+WHOLE, SWARM = "whole", "without seeds"
+_NO_SEEDS: dict[str, Setting] = {"seeds": 0, "injected_seeds": 0}
+#: An escalation makes seeds of its own.
+_SWARM: dict[str, Setting] = {**_NO_SEEDS, "escalation": "off"}
+
+VARIANTS = (
+    Variant(WHOLE, "nothing"),
+    Variant(WHOLE, "seeds", _NO_SEEDS),
+    Variant(WHOLE, "injected seeds", {"injected_seeds": 0}),
+    Variant(WHOLE, "transfer", {"transfer": 0}),
+    Variant(WHOLE, "complement", {"complement": 0}),
+    Variant(WHOLE, "sparse to dense", {"sparse_to_dense": 0}),
+    Variant(WHOLE, "evolution (1 iteration)", {"iterations": 1}),
+    Variant(WHOLE, "candidates", {"candidates": 0}),
+    Variant(WHOLE, "free space", {"free_space": 0}),
+    Variant(WHOLE, "escalation", {"escalation": "off"}),
+    Variant(WHOLE, "refinement", {"refine": 0}),
+    Variant(SWARM, "nothing", _SWARM),
+    Variant(SWARM, "transfer", {**_SWARM, "transfer": 0}),
+    Variant(SWARM, "complement", {**_SWARM, "complement": 0}),
+    Variant(SWARM, "sparse to dense", {**_SWARM, "sparse_to_dense": 0}),
+    Variant(SWARM, "evolution (1 iteration)", {**_SWARM, "iterations": 1}),
+)
