@@ -87,6 +87,7 @@ cdef extern from "emtr/emtr.h" nogil:
         EMTR_REASON_FEW_MATCHES
         EMTR_REASON_INTERRUPTED
         EMTR_REASON_DEGENERATE
+        EMTR_REASON_TIME_LIMIT
 
     const char* emtr_reason_name(emtr_reason reason)
     const char* emtr_reason_text(emtr_reason reason)
@@ -129,9 +130,6 @@ cdef extern from "emtr/emtr.h" nogil:
         double seconds_seeds, seconds_candidates, seconds_escalation, seconds_refinement
 
     void emtr_result_free(emtr_result* result)
-    emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
-                              const emtr_settings* settings, emtr_progress_fn progress,
-                              void* user, emtr_result** result)
 
     emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
                                const double* transformation, int32_t threads,
@@ -153,9 +151,10 @@ cdef extern from "emtr/emtr.h" nogil:
 
     emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
                                        size_t size)
-    emtr_status emtr_register_prepared(const emtr_prepared* source, const emtr_prepared* target,
-                                       const emtr_settings* settings, emtr_progress_fn progress,
-                                       void* user, emtr_result** result)
+    emtr_status emtr_register_kept(const emtr_cloud* source, emtr_prepared** kept_source,
+                                   const emtr_cloud* target, emtr_prepared** kept_target,
+                                   const emtr_settings* settings, emtr_progress_fn progress,
+                                   void* user, emtr_result** result)
 
     ctypedef struct emtr_problem:
         pass

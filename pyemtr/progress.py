@@ -6,7 +6,7 @@ from typing import Any, Callable, NamedTuple, Optional
 
 
 class Progress(NamedTuple):
-    """Given to the callback before each stage and after each iteration.
+    """Given to the callback before each stage, after each iteration, and again every 20 ms or so.
 
     ``stage`` is "frame", "densities", "features", "matching", "seeds", "evolution", "candidates",
     "escalation", "refinement" or "verdict", in this order; a preset without a stage leaves it out.

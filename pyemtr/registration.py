@@ -70,10 +70,11 @@ def register(
         correspondences: (K, 2) of whole numbers, rows of source and target held to be the same
             place, many of which may be wrong: taken instead of any matching. At least 3 different
             ones; of more than ``max_correspondences`` so many, evenly spread over the list.
-        callback: called with a :class:`pyemtr.Progress` before each stage and after each
-            iteration. Return True to stop: the result then has the reason "interrupted". What
-            it raises stops the run and reaches the caller. Ctrl-C is looked at as often, with
-            or without a callback.
+        callback: called with a :class:`pyemtr.Progress` before each stage, after each
+            iteration, and again about every 20 ms while a stage lasts, with the same progress.
+            Return True to stop: the result then has the reason "interrupted" and the best pose
+            so far. What it raises stops the run and reaches the caller. Ctrl-C is looked at as
+            often, with or without a callback. It may register clouds itself.
         **settings: any of :func:`pyemtr.settings` by name.
 
     Returns:

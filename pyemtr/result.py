@@ -21,10 +21,10 @@ class Result:
 
     Attributes:
         transformation: float64 (4, 4), source into target: q = R p + t. The caller's own copy,
-            writable. All NaN when the run was stopped before any pose was known.
+            writable. The best so far when the run was stopped, all NaN when none was known yet.
         registered: True when the pose is held to be right.
-        reason: "registered", "low_overlap", "ambiguous", "few_matches", "interrupted" or
-            "degenerate".
+        reason: "registered", "low_overlap", "ambiguous", "few_matches", "interrupted",
+            "degenerate" or "time_limit".
         reason_text: the reason in a few words.
         fitness: mean M-estimator over both dense clouds, 0 (best) to 1.
         inlier_ratio_source, inlier_ratio_target: share of dense points with a neighbour in the
@@ -51,7 +51,8 @@ class Result:
         seed: as given; threads: used; kernel: the instruction set of the inner loops, see
             :func:`pyemtr.kernel_name`.
         confidence: held probability, 0 to 1, that the pose is right within 5 degrees and 0.06
-            radii. NaN without candidates (preset "paper"), as the four below.
+            radii. NaN without candidates (preset "paper"), as the four below, and when stopped
+            before all of them were ranked.
         score: ``fit - 2 violation``, at most 1.
         fit: how well the surfaces lie on each other, 0 to 1 (best).
         violation: share of points in front of what the other scan saw, 0 (best) to 1.

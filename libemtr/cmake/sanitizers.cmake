@@ -31,7 +31,9 @@ add_compile_options(-fsanitize=${emtr_sanitizers} -fno-sanitize-recover=all
                     -fno-omit-frame-pointer -g1)
 add_link_options(-fsanitize=${emtr_sanitizers})
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-  add_link_options(-fsanitize-link-c++-runtime) # for the programs in C
+  # The programs in C need what the library in C++ was instrumented for.
+  add_link_options(-fsanitize-link-c++-runtime)
+  link_libraries($<$<LINK_LANGUAGE:C>:stdc++>)
 endif()
 if(EMTR_BUILD_FUZZERS)
   add_compile_options(-fsanitize=fuzzer-no-link)

@@ -1,12 +1,14 @@
 #include <emtr/emtr.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "enum_number.h"
@@ -18,6 +20,7 @@
 #include "tasks/euler.h"
 #include "team.h"
 #include "verdict/residuals.h"
+#include "watch.h"
 
 #define EMTR_TEXT_(x) #x
 #define EMTR_TEXT(x) EMTR_TEXT_(x)
@@ -35,9 +38,27 @@ namespace {
 
 thread_local std::string last_error;
 
+/// The default floating-point environment while it lives: rounding to nearest, and no denormal
+/// taken for zero, whatever the caller or a library of its that was built with -ffast-math has set.
+class DefaultArithmetic {
+ public:
+  DefaultArithmetic() {
+    std::fegetenv(&callers_);
+    std::fesetenv(FE_DFL_ENV);
+  }
+  ~DefaultArithmetic() { std::fesetenv(&callers_); }
+  DefaultArithmetic(const DefaultArithmetic&) = delete;
+  DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
+
+ private:
+  std::fenv_t callers_;
+};
+
 /// Runs a body that may throw; what it throws becomes a status and this thread's message.
 template <class Body>
 emtr_status guarded(Body body) noexcept {
+  const DefaultArithmetic arithmetic;
+  const emtr::Watched nobody(nullptr);  // this may be a call out of the callback of a run
   try {
     body();
     return EMTR_OK;
@@ -94,6 +115,23 @@ emtr::Settings settings_or_preset(const emtr_settings* settings) {
 emtr::OnProgress progress_function(emtr_progress_fn progress, void* user) {
   if (!progress) return nullptr;
   return [=](const emtr_progress& p) { return progress(&p, user) != 0; };
+}
+
+emtr_result* run(const emtr::Settings& settings, emtr_progress_fn progress, void* user,
+                 const emtr::Problem::Normalise& normalised) {
+  emtr::Watch watch(progress_function(progress, user), settings.time_limit);
+  const emtr::Problem problem(normalised, settings, watch);
+  return problem.solve(watch).release();
+}
+
+/// What is kept of a cloud, or is from now on.
+emtr::PreparedCloudPtr prepared(const emtr_cloud* cloud, emtr_prepared** kept, const char* name,
+                                const emtr::Settings& settings) {
+  if (kept && *kept) return (*kept)->cloud;
+  auto made = std::make_shared<const emtr::PreparedCloud>(emtr::kept(*cloud, settings), name,
+                                                          emtr::thread_count(settings));
+  if (kept) *kept = new emtr_prepared{made};
+  return made;
 }
 
 emtr::Rigid rigid(const double T[16]) {
@@ -163,7 +201,7 @@ const char* emtr_status_text(emtr_status status) {
 }
 
 const char* emtr_reason_name(emtr_reason reason) {
-  switch (reason) {
+  switch (emtr::number_of(reason)) {
     case EMTR_REASON_REGISTERED:
       return "registered";
     case EMTR_REASON_LOW_OVERLAP:
@@ -176,6 +214,8 @@ const char* emtr_reason_name(emtr_reason reason) {
       return "interrupted";
     case EMTR_REASON_DEGENERATE:
       return "degenerate";
+    case EMTR_REASON_TIME_LIMIT:
+      return "time_limit";
   }
   return "unknown";
 }
@@ -194,6 +234,8 @@ const char* emtr_reason_text(emtr_reason reason) {
       return "interrupted";
     case EMTR_REASON_DEGENERATE:
       return "the surfaces can slide or spin along themselves";
+    case EMTR_REASON_TIME_LIMIT:
+      return "the time limit was reached";
   }
   return "unknown reason";
 }
@@ -254,10 +296,13 @@ emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
                           emtr_result** result) {
   return guarded([&] {
     required(result, "result") = nullptr;
-    const auto on_progress = progress_function(progress, user);
-    const emtr::Problem problem(required(source, "source"), required(target, "target"),
-                                settings_or_preset(settings), on_progress);
-    *result = problem.solve(on_progress).release();
+    required(source, "source");
+    required(target, "target");
+    const emtr::Settings chosen = settings_or_preset(settings);
+    *result = run(chosen, progress, user, [&] {
+      return emtr::normalise(emtr::kept(*source, chosen), emtr::kept(*target, chosen),
+                             emtr::thread_count(chosen));
+    });
   });
 }
 
@@ -303,10 +348,26 @@ emtr_status emtr_register_prepared(const emtr_prepared* source, const emtr_prepa
                                    void* user, emtr_result** result) {
   return guarded([&] {
     required(result, "result") = nullptr;
-    const auto on_progress = progress_function(progress, user);
-    const emtr::Problem problem(required(source, "source").cloud, required(target, "target").cloud,
-                                settings_or_preset(settings), on_progress);
-    *result = problem.solve(on_progress).release();
+    required(source, "source");
+    required(target, "target");
+    *result = run(settings_or_preset(settings), progress, user,
+                  [&] { return emtr::normalise(source->cloud, target->cloud); });
+  });
+}
+
+emtr_status emtr_register_kept(const emtr_cloud* source, emtr_prepared** kept_source,
+                               const emtr_cloud* target, emtr_prepared** kept_target,
+                               const emtr_settings* settings, emtr_progress_fn progress, void* user,
+                               emtr_result** result) {
+  return guarded([&] {
+    required(result, "result") = nullptr;
+    if (!kept_source || !*kept_source) required(source, "source");
+    if (!kept_target || !*kept_target) required(target, "target");
+    const emtr::Settings chosen = settings_or_preset(settings);
+    *result = run(chosen, progress, user, [&] {
+      auto from = prepared(source, kept_source, "source", chosen);
+      return emtr::normalise(std::move(from), prepared(target, kept_target, "target", chosen));
+    });
   });
 }
 
@@ -423,7 +484,7 @@ emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which, co
   return guarded([&] {
     const emtr_problem& p = checked(problem);
     const int number = emtr::number_of(which);
-    if (number < EMTR_SOURCE_SPARSE || number > EMTR_TIM_TARGET)
+    if (number < EMTR_SOURCE_SPARSE || number > EMTR_TARGET_FEATURE_ROWS)
       throw emtr::Error(EMTR_ERROR_ARGUMENT, "array: there is none of that number");
     const emtr::ProblemArrays::View array = p.arrays.view(which);
     required(data, "data") = array.data;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <exception>
-#include <mutex>
+
+#include "team.h"
+#include "watch.h"
 
 namespace emtr {
 
@@ -10,18 +12,9 @@ namespace emtr {
 /// Jobs that keep their results by i make a whole that does not depend on the threads.
 template <class Job>
 void in_parallel(std::size_t n, int threads, const Job& job) {
-  std::exception_ptr failure;
-  std::mutex mutex;  // a critical section would be a symbol that the library shows
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1 && n > 1)
-  for (std::size_t i = 0; i < n; ++i) {
-    try {
-      job(i);
-    } catch (...) {  // must not leave the region
-      const std::lock_guard<std::mutex> lock(mutex);
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+  const int most = static_cast<int>(std::min(n, static_cast<std::size_t>(threads)));
+  Team::with(std::max(most, 1),
+             [&](Team& team) { team.parallel(n, [&](std::size_t i, std::size_t) { job(i); }); });
 }
 
 }  // namespace emtr

@@ -33,70 +33,85 @@ Settings own(Settings settings) {
   return settings;
 }
 
-/// With all its points, when the correspondences will ask for them.
+}  // namespace
+
 emtr_cloud kept(emtr_cloud cloud, const Settings& given) {
   if (given.correspondences) cloud.keep_points = 1;
   return cloud;
 }
 
-}  // namespace
+Problem::Problem(const Normalise& normalised, const Settings& s, Watch& watch)
+    : settings(own(s)), kernels(select_kernels()) {
+  make(normalised, s, watch);
+}
 
 Problem::Problem(const emtr_cloud& source, const emtr_cloud& target, const Settings& s,
                  const OnProgress& on_progress)
     : settings(own(s)), kernels(select_kernels()) {
-  validate(settings);
-  prepare([&] { return normalise(kept(source, s), kept(target, s), thread_count(settings)); }, s,
-          on_progress);
+  Watch watch(on_progress);
+  make([&] { return normalise(kept(source, s), kept(target, s), thread_count(settings)); }, s,
+       watch);
 }
 
 Problem::Problem(const PreparedCloudPtr& source, const PreparedCloudPtr& target, const Settings& s,
                  const OnProgress& on_progress)
     : settings(own(s)), kernels(select_kernels()) {
-  validate(settings);
-  prepare([&] { return normalise(source, target); }, s, on_progress);
+  Watch watch(on_progress);
+  make([&] { return normalise(source, target); }, s, watch);
 }
 
-void Problem::prepare(const Normalise& normalised, const Settings& given,
-                      const OnProgress& on_progress) {
-  Stopwatch watch;
-  const auto stop = [&](const char* stage) {
-    return stopped_ = on_progress && on_progress({stage, 0, 0, 0, 0});
+void Problem::make(const Normalise& normalised, const Settings& given, Watch& watch) {
+  validate(settings);
+  const Watched watched(&watch);
+  try {
+    prepare(normalised, given, watch);
+  } catch (const Stopped&) {
+    stopped_ = true;
+  }
+}
+
+void Problem::prepare(const Normalise& normalised, const Settings& given, Watch& watch) {
+  const auto enter = [&](const char* stage) {
+    if (watch.tell({stage, 0, 0, 0, 0})) throw Stopped();
   };
 
-  if (stop("frame")) return;
-  watch.lap();
-  pair = normalised();
-  prior = make_prior(settings, frame);
+  enter("frame");
+  {
+    const Timed timed(seconds_.frame);
+    pair = normalised();
+    prior = make_prior(settings, frame);
+  }
   dropped_source = pair.prepared_source->dropped;
   dropped_target = pair.prepared_target->dropped;
   points_source = pair.prepared_source->count;
   points_target = pair.prepared_target->count;
-  seconds_.frame = watch.lap();
 
-  if (stop("densities")) return;
-  watch.lap();
-  densities = thin(pair, settings);
-  seconds_.densities = watch.lap();
+  enter("densities");
+  {
+    const Timed timed(seconds_.densities);
+    densities = thin(pair, settings);
+  }
 
-  if (stop("features")) return;
-  watch.lap();
-  take_handed(given);
-  describe_dense();
-  seconds_.features = watch.lap();
+  enter("features");
+  {
+    const Timed timed(seconds_.features);
+    take_handed(given);
+    describe_dense();
+  }
 
-  if (stop("matching")) return;
-  watch.lap();
-  match_features();
-  // Neither needs the other, and both are mostly grids that one thread makes.
-  in_parallel(2, thread_count(settings),
-              [this](std::size_t i) { i == 0 ? make_tasks() : make_surfaces(); });
-  seconds_.matching = watch.lap();
+  enter("matching");
+  {
+    const Timed timed(seconds_.matching);
+    match_features();
+    // Neither needs the other, and both are mostly grids that one thread makes.
+    in_parallel(2, thread_count(settings),
+                [this](std::size_t i) { i == 0 ? make_tasks() : make_surfaces(); });
+  }
 
   if (settings.seeds == 0) return;
-  if (stop("seeds")) return;
-  watch.lap();
+  enter("seeds");
+  const Timed timed(seconds_.seeds);
   find_seeds();
-  seconds_.seeds = watch.lap();
 }
 
 void Problem::take_handed(const Settings& given) {
@@ -180,8 +195,13 @@ void Problem::make_surfaces() {
                                         kernels);
 }
 
+std::unique_ptr<Result> Problem::solve(Watch& watch) const {
+  return Registration(*this, watch).run();
+}
+
 std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
-  return Registration(*this, on_progress).run();
+  Watch watch(on_progress, settings.time_limit);
+  return solve(watch);
 }
 
 void Problem::make_tasks() {

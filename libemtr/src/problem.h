@@ -16,18 +16,23 @@
 #include "seeds/seeds.h"
 #include "tasks/task_alpha.h"
 #include "tasks/task_beta.h"
+#include "watch.h"
 
 namespace emtr {
 
-/// Tells the caller how far things are; true stops the run.
-using OnProgress = std::function<bool(const emtr_progress&)>;
+/// With all its points, when the correspondences of the settings will ask for them.
+emtr_cloud kept(emtr_cloud cloud, const Settings& given);
 
 /// The walk of the data from two clouds to two tasks, every stage's output kept, and on to a
 /// result. Stages run in the order of the members.
 class Problem {
  public:
-  /// Throws Error on bad clouds or settings. `on_progress` may stop it between stages; then
-  /// stopped() holds and only solve() may be called, whose result says so.
+  using Normalise = std::function<NormalisedPair()>;
+
+  /// Throws Error on bad clouds or settings. The watch may stop it; then stopped() holds and only
+  /// solve() may be called, whose result says so.
+  Problem(const Normalise& normalised, const Settings& settings, Watch& watch);
+  /// Of clouds as they are, without a time limit.
   Problem(const emtr_cloud& source, const emtr_cloud& target, const Settings& settings,
           const OnProgress& on_progress);
   /// The same bits, from clouds that were prepared before.
@@ -37,6 +42,8 @@ class Problem {
   bool stopped() const { return stopped_; }
 
   /// Evolution and verdict. Does not change the problem, so it can be repeated.
+  std::unique_ptr<Result> solve(Watch& watch) const;
+  /// Within the settings' time limit.
   std::unique_ptr<Result> solve(const OnProgress& on_progress) const;
 
   const Settings settings;
@@ -65,8 +72,8 @@ class Problem {
   std::atomic<std::uint64_t> lookups{0};  ///< of calls from outside, stage by stage
 
  private:
-  using Normalise = std::function<NormalisedPair()>;
-  void prepare(const Normalise& normalised, const Settings& given, const OnProgress& on_progress);
+  void make(const Normalise& normalised, const Settings& given, Watch& watch);
+  void prepare(const Normalise& normalised, const Settings& given, Watch& watch);
   void take_handed(const Settings& given);
   void describe_dense();
   void match_features();

@@ -1,7 +1,6 @@
 #include "registration.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "priors/make_prior.h"
@@ -16,46 +15,22 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-Registration::Registration(const Problem& problem, const OnProgress& on_progress)
+Registration::Registration(const Problem& problem, Watch& watch)
     : problem_(problem),
       settings_(problem.settings),
       prior_(problem.prior.get()),
-      on_progress_(on_progress),
+      watch_(watch),
       result_(std::make_unique<Result>()),
       stopped_(problem.stopped()) {}
 
 std::unique_ptr<Result> Registration::run() {
-  Stopwatch watch;
   Result& r = *result_;
   describe_problem();
-  if (!stopped_ && !stop("evolution")) {
-    watch.lap();
-    Evolution evolution = evolve();
-    r.seconds_evolution = watch.lap();
-    stopped_ |= evolution.stopped;
-    answer_ = evolution.hypotheses[evolution.best].pose;
-    if (search_ && !stopped_ && !stop("candidates")) {
-      watch.lap();
-      rank(evolution);
-      r.seconds_candidates = watch.lap();
-    }
-    if (unsure() && !stopped_ && !stop("escalation")) {
-      watch.lap();
-      search_->escalate();
-      settle();
-      r.seconds_escalation = watch.lap();
-    }
-    if (settings_.refine && !stopped_ && !stop("refinement")) {
-      watch.lap();
-      refine();
-      r.seconds_refinement = watch.lap();
-    }
-    stopped_ = stopped_ || stop("verdict");
-    watch.lap();
-    evolution.stopped = stopped_;
-    conclude(evolution);
-    r.seconds_verdict = watch.lap();
-  }
+  if (!stopped_) search();
+  Stopwatch watch;
+  if (answer_) conclude();
+  r.seconds_verdict += watch.lap();
+  if (stopped_) r.reason = watch_.late() ? EMTR_REASON_TIME_LIMIT : EMTR_REASON_INTERRUPTED;
   r.iterations = r.alpha.size();
   r.history_alpha = r.alpha.data();
   r.history_beta = r.beta.data();
@@ -68,8 +43,54 @@ std::unique_ptr<Result> Registration::run() {
   return std::move(result_);
 }
 
-bool Registration::stop(const char* stage) {
-  return stopped_ = on_progress_ && on_progress_({stage, 0, settings_.iterations, 0, 0});
+void Registration::search() {
+  const Watched watched(&watch_);
+  Result& r = *result_;
+  try {
+    enter("evolution");
+    {
+      const Timed timed(r.seconds_evolution);
+      evolve();
+    }
+    if (search_) {
+      enter("candidates");
+      const Timed timed(r.seconds_candidates);
+      rank();
+    }
+    if (unsure()) {
+      enter("escalation");
+      const Timed timed(r.seconds_escalation);
+      search_->escalate();
+      settle();
+    }
+    if (settings_.refine) {
+      enter("refinement");
+      const Timed timed(r.seconds_refinement);
+      refine();
+    }
+    enter("verdict");
+    const Timed timed(r.seconds_verdict);
+    conclude_agreement();
+  } catch (const Stopped&) {
+    stopped_ = true;
+    salvage();
+  }
+}
+
+void Registration::enter(const char* stage) {
+  if (watch_.tell({stage, 0, settings_.iterations, 0, 0})) throw Stopped();
+}
+
+void Registration::salvage() {
+  const bool some_ranked = search_ && !search_->ranked().empty();
+  if (some_ranked && !ranked_)
+    answer_ = search_->ranked().front().pose;
+  else if (answer_)
+    return;
+  else if (!shortlist_.empty())
+    answer_ = shortlist_.front();
+  else if (!problem_.seeds.empty())
+    answer_ = problem_.seeds.front().pose;
 }
 
 void Registration::describe_problem() {
@@ -129,7 +150,7 @@ std::vector<Rigid> Registration::starts() const {
   return out;
 }
 
-Evolution Registration::evolve() {
+void Registration::evolve() {
   if (problem_.surfaces) {
     search_ = std::make_unique<CandidateSearch>(problem_.pair, *problem_.surfaces, settings_,
                                                 problem_.kernels, prior_);
@@ -138,22 +159,22 @@ Evolution Registration::evolve() {
     for (const Seed& seed : problem_.seeds) shortlist_.push_back(seed.pose);
     shortlist_ = admissible(shortlist_, prior_);
   }
-  Evolution out = emtr::evolve(
-      *problem_.alpha, *problem_.beta, *problem_.complement, settings_, starts(),
-      [&](int done, double alpha, double beta) {
-        return on_progress_ && on_progress_({"evolution", done, settings_.iterations, alpha, beta});
-      },
-      prior_);
-  result_->lookups_evaluation = out.lookups_evaluation;
-  result_->lookups_switch = out.lookups_switch;
-  result_->lookups_complement = out.lookups_complement;
-  return out;
+  evolution_ =
+      emtr::evolve(*problem_.alpha, *problem_.beta, *problem_.complement, settings_, starts(),
+                   [&](int done, double alpha, double beta) {
+                     return watch_.tell({"evolution", done, settings_.iterations, alpha, beta});
+                   });
+  result_->lookups_evaluation = evolution_.lookups_evaluation;
+  result_->lookups_switch = evolution_.lookups_switch;
+  result_->lookups_complement = evolution_.lookups_complement;
+  if (!evolution_.hypotheses.empty()) answer_ = evolution_.hypotheses[evolution_.best].pose;
+  if (evolution_.stopped) throw Stopped();
 }
 
-void Registration::rank(const Evolution& evolution) {
+void Registration::rank() {
   std::vector<Rigid> poses = guess(), remembered;
   poses.insert(poses.end(), shortlist_.begin(), shortlist_.end());
-  for (const Hypothesis& h : evolution.hypotheses) remembered.push_back(h.pose);
+  for (const Hypothesis& h : evolution_.hypotheses) remembered.push_back(h.pose);
   search_->add(poses, remembered);
   settle();
 }
@@ -162,6 +183,7 @@ void Registration::settle() {
   answer_ = search_->ranked().front().pose;
   standing_ = stand(search_->ranked(), problem_.densities.source_dense.size(),
                     problem_.densities.target_dense.size());
+  ranked_ = true;
 }
 
 bool Registration::unsure() const {
@@ -178,27 +200,27 @@ const FineSurfaces& Registration::fine() {
 }
 
 void Registration::refine() {
-  refined_ = emtr::refine(fine(), answer_, settings_, problem_.kernels, prior_);
+  refined_ = emtr::refine(fine(), *answer_, settings_, problem_.kernels, prior_);
   answer_ = refined_.pose;
 }
 
-void Registration::conclude(const Evolution& evolution) {
+void Registration::conclude() {
   Result& r = *result_;
+  evolution_.stopped = stopped_;
   const Verdict v =
-      judge(evolution, answer_, *problem_.alpha, problem_.correspondences.size(), settings_);
+      judge(evolution_, *answer_, *problem_.alpha, problem_.correspondences.size(), settings_);
   r.registered = v.registered;
   r.reason = v.reason;
   r.fitness = v.fitness;
   r.inlier_ratio_source = v.inlier_ratio_source;
   r.inlier_ratio_target = v.inlier_ratio_target;
   r.mode_gap = v.mode_gap;
-  to_matrix(problem_.frame.to_user(answer_), r.transformation);
-  r.alpha = evolution.history_alpha;
-  r.beta = evolution.history_beta;
+  to_matrix(problem_.frame.to_user(*answer_), r.transformation);
+  r.alpha = evolution_.history_alpha;
+  r.beta = evolution_.history_beta;
 
   if (search_ && !search_->ranked().empty()) conclude_candidates();
   if (refined_.succeeded) conclude_refinement();
-  if (!stopped_) conclude_agreement();
 }
 
 void Registration::conclude_candidates() {
@@ -209,6 +231,7 @@ void Registration::conclude_candidates() {
   r.score = best.score;
   r.fit = best.fit.chf;
   r.violation = best.violation;
+  if (!ranked_) return;  // stopped before the others were
   r.score_gap = standing_.gap;
   r.confidence = standing_.confidence;
   if (!stopped_) {
@@ -227,11 +250,10 @@ void Registration::conclude_refinement() {
   Result& r = *result_;
   r.refined = 1;
   // A shift in the user's unit is `scale` times as many, its information that much less.
+  const double unit[3] = {1, r.scale, r.scale * r.scale};
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) {
-      const int shifts = (i >= 3) + (j >= 3);
-      r.information[6 * i + j] = refined_.information[6 * i + j] / std::pow(r.scale, shifts);
-    }
+    for (int j = 0; j < 6; ++j)
+      r.information[6 * i + j] = refined_.information[6 * i + j] / unit[(i >= 3) + (j >= 3)];
   r.free_directions = refined_.spectrum.free;
   for (int i = 0; i < 6; ++i) {
     r.hold[i] = refined_.spectrum.values[i];
@@ -241,7 +263,7 @@ void Registration::conclude_refinement() {
 
 void Registration::conclude_agreement() {
   Result& r = *result_;
-  const Agreement agreement = agree(problem_.pair, fine(), answer_, problem_.kernels);
+  const Agreement agreement = agree(problem_.pair, fine(), *answer_, problem_.kernels);
   r.leaf_fine = fine().leaf();
   r.overlap_source = agreement.overlap_source;
   r.overlap_target = agreement.overlap_target;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "candidates/search.h"
 #include "problem.h"
@@ -13,21 +14,23 @@ namespace emtr {
 /// when they do not convince, refinement of the best, verdict.
 class Registration {
  public:
-  Registration(const Problem& problem, const OnProgress& on_progress);
+  Registration(const Problem& problem, Watch& watch);
 
   std::unique_ptr<Result> run();
 
  private:
-  bool stop(const char* stage);  ///< asks the caller
+  void search();                  ///< all that finds poses; Stopped leaves the best so far
+  void enter(const char* stage);  ///< tells the caller
   void describe_problem();
   std::vector<Rigid> starts() const;
-  Evolution evolve();
-  void rank(const Evolution& evolution);
-  void settle();  ///< on the best candidate
+  void evolve();
+  void rank();
+  void settle();   ///< on the best candidate
+  void salvage();  ///< what is known of the best pose when the work was stopped in its midst
   bool unsure() const;
   const FineSurfaces& fine();
   void refine();
-  void conclude(const Evolution& evolution);
+  void conclude();
   void conclude_candidates();
   void conclude_refinement();
   void conclude_agreement();
@@ -36,12 +39,14 @@ class Registration {
   const Problem& problem_;
   const Settings& settings_;
   const Prior* prior_;  ///< null when every pose is admissible
-  const OnProgress& on_progress_;
+  Watch& watch_;
   std::unique_ptr<Result> result_;
   std::unique_ptr<CandidateSearch> search_;  ///< null when none are asked for
   std::vector<Rigid> shortlist_;             ///< the best seeds
-  Rigid answer_;                             ///< normalised frame
+  Evolution evolution_;
+  std::optional<Rigid> answer_;  ///< normalised frame; the best pose so far
   Standing standing_;
+  bool ranked_ = false;  ///< whether all candidates are, so that the standing means something
   std::unique_ptr<FineSurfaces> fine_;  ///< made when first asked for
   Refined refined_;
   bool stopped_ = false;

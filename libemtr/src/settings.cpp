@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <locale>
 #include <sstream>
 #include <vector>
 
@@ -41,6 +42,7 @@ void check_range(const emtr_setting_info& info, double value) {
   const bool whole = info.type == Real || value == std::floor(value);
   if (value >= info.minimum && value <= info.maximum && whole) return;  // false for NaN
   std::ostringstream message;
+  message.imbue(std::locale::classic());
   message.precision(17);
   message << "setting '" << info.name << "' is " << value << ", expected ";
   if (info.type == Switch)
@@ -135,7 +137,9 @@ void validate(const Settings& settings) {
 }
 
 int thread_count(const Settings& settings) {
-  return settings.threads > 0 ? settings.threads : omp_get_max_threads();
+  if (settings.threads > 0) return settings.threads;
+  // In a parallel region of the caller's, each of its threads comes here with work of its own.
+  return omp_get_active_level() < omp_get_max_active_levels() ? omp_get_max_threads() : 1;
 }
 
 }  // namespace emtr

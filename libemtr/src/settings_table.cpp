@@ -29,6 +29,8 @@ const std::vector<Setting>& setting_table() {
       SETTING(threads, Integer, "threads", 0, 1024, 0, "",
               "threads to use, 0 for as many as OpenMP would; the result does not depend on it",
               ""),
+      SETTING(time_limit, Real, "seconds", 0, 1e9, 0, "",
+              "give the best pose so far after this time, 0 for no limit", ""),
       SETTING(dense_points, Integer, "points", 100, 1e6, 9000, "sparse to dense",
               "points of both dense clouds together", ""),
       SETTING(sparse_points, Integer, "points", 10, 1e6, 600, "sparse to dense",

@@ -7,11 +7,13 @@
 #include <functional>
 #include <mutex>
 
+#include "watch.h"
+
 namespace emtr {
 
-/// The threads of one OpenMP region that lasts for a whole stage of the work. Between two pieces of
-/// work the others sleep: two regions an iteration would have them spin, which on a machine with
-/// other work to do is slower than one thread alone.
+/// The threads of one stage of the work. They end with it: a process that forks afterwards carries
+/// no pool that its child would wait for. Between two pieces of work they sleep, as threads that
+/// spin are slower than one alone on a machine with other work to do.
 class Team {
  public:
   /// Runs body(team) on the calling thread, with up to `threads` threads to help it. Throws what
@@ -22,16 +24,23 @@ class Team {
   std::size_t size() const { return threads_; }
 
   /// Runs job(i, thread) once for each i < n, in any order, and returns when all are done. Throws
-  /// what the first failing job threw.
+  /// what the first failing job threw. Polls after each job, so these are to be small or to poll
+  /// themselves.
   using Job = std::function<void(std::size_t i, std::size_t thread)>;
   void parallel(std::size_t n, const Job& job);
 
  private:
+  class Helpers;
+
+  explicit Team(std::size_t threads) : threads_(threads) {}
   void follow(std::size_t thread);  ///< what the helpers do until they are dismissed
   void work(std::size_t thread);
+  void wait_for_helpers();
+  void fail();  ///< keeps the exception at hand for the caller of parallel()
   void dismiss();
 
-  std::size_t threads_ = 1;
+  const std::size_t threads_;
+  Watch* const watch_ = Watched::current();
   std::mutex mutex_;
   std::condition_variable wake_, idle_;
   const Job* job_ = nullptr;

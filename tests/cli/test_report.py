@@ -24,7 +24,9 @@ def test_says_what_was_run(report, run):
         "aligned": None,
         "report": "r.json",
         "guess": None,
+        "correspondences": None,
     }
+    assert report["handed_in"] == {"normals": False, "features": None, "correspondences": 0}
     assert (report["preset"], report["seed"], report["threads"]) == ("default", 3, 2)
     versions = report["versions"]
     assert run("--version").stdout == (

@@ -7,6 +7,7 @@ import os
 import pty
 import signal
 import subprocess
+import termios
 import time
 
 import cloud_files
@@ -83,6 +84,7 @@ class Running:
             stdout=subprocess.PIPE,
             stderr=slave,
         )
+        self.terminal = os.ttyname(slave)
         os.close(slave)
         self.talk = ""
         while "/1000000  best alpha" not in self.talk:
@@ -104,18 +106,25 @@ class Running:
 def test_interrupt_gives_the_best_pose_so_far(command, clouds, tmp_path, number):
     running = Running(command, tmp_path, "-o", "T.txt")
     running.process.send_signal(number)
-    assert running.end() == 3, running.talk
+    assert running.end() == 128 + number, running.talk
     assert "warning: not registered: " in running.talk and "doubtful" in running.talk
     assert np.isfinite(np.loadtxt(tmp_path / "T.txt")).all()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["T.txt", "a.pcd", "b.pcd"]
 
 
 def test_second_interrupt_ends_the_program(command, clouds, tmp_path):
-    """One iteration of this many particles takes seconds, so the first request is not met yet."""
-    running = Running(command, tmp_path, "-o", "T.txt", "--population", "20000")
+    """The terminal is held up, so the program waits for it and cannot meet the first request."""
+    running = Running(command, tmp_path, "-o", "T.txt")
+    terminal = os.open(running.terminal, os.O_RDWR | os.O_NOCTTY)
+    termios.tcflow(terminal, termios.TCOOFF)
+    time.sleep(1)
     running.process.send_signal(signal.SIGINT)
-    time.sleep(0.1)
+    time.sleep(1)
+    assert running.process.poll() is None
     running.process.send_signal(signal.SIGINT)
+    running.process.wait(60)
+    termios.tcflow(terminal, termios.TCOON)
+    os.close(terminal)
     assert running.end() == -signal.SIGINT, running.talk
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.pcd", "b.pcd"]
 
@@ -138,9 +147,35 @@ def test_interrupt_before_any_pose(command, tmp_path):
     time.sleep(0.3)
     process.send_signal(signal.SIGINT)
     _, talk = process.communicate(timeout=200)
-    assert process.returncode == 3, talk
+    assert process.returncode == 130, talk
     assert "before any pose was known; nothing is written" in talk
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.pcd", "b.pcd"]
+
+
+def test_the_time_limit_gives_the_best_pose_so_far(run, small, tmp_path):
+    long = run(
+        *small,
+        "--iterations",
+        "1000000",
+        "--time-limit",
+        "3",
+        "-o",
+        "T.txt",
+        "--report",
+        "r.json",
+        "--threads",
+        "1",
+    )
+    assert long.returncode == 3, long.stderr
+    assert "the time limit was reached; the transformation is doubtful" in long.stderr
+    assert np.isfinite(np.loadtxt(tmp_path / "T.txt")).all()
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert report["reason"] == "time_limit" and not report["registered"]
+    assert 0 < report["counts"]["iterations"] < 1000000
+    none = run(*small, "--time-limit", "1e-9", "-o", "none.txt")
+    assert none.returncode == 3
+    assert "the time limit was reached before any pose was known; nothing is written" in none.stderr
+    assert not (tmp_path / "none.txt").exists()
 
 
 def test_quiet_keeps_the_warning(run, small):

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <stdexcept>
 #include <thread>
@@ -45,12 +46,28 @@ TEST(Team, ThrowsWhatItsBodyThrows) {
   EXPECT_THROW(Team::with(3, [](Team&) { throw std::runtime_error("body"); }), std::runtime_error);
 }
 
-TEST(Team, WorksInsideAnotherParallelRegion) {
-  std::atomic<int> count{0};
+TEST(Team, WorksInsideAParallelRegionOfTheCallers) {
+  std::atomic<int> count{0}, regions{0};
 #pragma omp parallel num_threads(2)
-  Team::with(4, [&](Team& team) { team.parallel(50, [&](std::size_t, std::size_t) { ++count; }); });
-  EXPECT_EQ(count % 50, 0);
-  EXPECT_GE(count, 50);
+  {
+    ++regions;
+    Team::with(4,
+               [&](Team& team) { team.parallel(50, [&](std::size_t, std::size_t) { ++count; }); });
+  }
+  EXPECT_EQ(count, 50 * regions);
+}
+
+TEST(Team, ItsHelpersTakeNoSignals) {
+  Team::with(3, [](Team& team) {
+    team.parallel(50, [](std::size_t, std::size_t thread) {
+      sigset_t blocked;
+      pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
+      EXPECT_EQ(sigismember(&blocked, SIGINT), thread == 0 ? 0 : 1);
+    });
+  });
+  sigset_t blocked;
+  pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
+  EXPECT_EQ(sigismember(&blocked, SIGINT), 0);
 }
 
 }  // namespace

@@ -1,14 +1,10 @@
-// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET [normals | features | priors |
-// FILE]: by the class,
-// twice with one object, and by the C API, each on a line of its own in hexadecimal: 16 numbers of
-// the transformation, 4 of the agreement, and the residuals of the source. With the normals or the
-// field fpfh of the files, or a file of correspondences; with priors those that
-// priors_of() knows.
+// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET [normals | features | FILE]: by the class,
+// twice with one object, and by the C API, each as a line "result" and lines "name value ...", in
+// hexadecimal. With the normals or the field fpfh of the files, or a file of correspondences.
 #include <emtr/emtr.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/registration/emtr_ssc.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -23,26 +19,43 @@ struct Chosen {
   int threads;
   unsigned long seed;
   const char* preset;
-  bool priors;
 };
 
-// The same in test_entries.py, and true of the pair that is made there.
-constexpr double kAxis[3] = {1, 1.1, 1}, kTilt = 8, kLeast = -170, kMost = 200, kLargest = 170;
-constexpr double kLow[3] = {-9, -9, -9}, kHigh[3] = {9, 9, 9}, kDegrees = 40, kDistance = 3;
-constexpr double kGuess[16] = {0, 0, 1, -5.5, 1, 0, 0, -4.5, 0, 1, 0, -5, 0, 0, 0, 1};
+template <class Value>
+void print(const char* name, const Value* values, std::size_t n) {
+  std::printf("%s", name);
+  for (std::size_t i = 0; i < n; ++i) std::printf(" %a", static_cast<double>(values[i]));
+  std::printf("\n");
+}
 
-void priors_of(emtr_settings& settings) {
-  settings.has_axis = settings.has_translation_bounds = settings.has_guess = 1;
-  std::copy_n(kAxis, 3, settings.axis);
-  settings.axis_tilt = kTilt;
-  settings.axis_angle_minimum = kLeast;
-  settings.axis_angle_maximum = kMost;
-  settings.maximum_rotation = kLargest;
-  std::copy_n(kLow, 3, settings.translation_minimum);
-  std::copy_n(kHigh, 3, settings.translation_maximum);
-  std::copy_n(kGuess, 16, settings.guess);
-  settings.guess_rotation = kDegrees;
-  settings.guess_translation = kDistance;
+void print(const emtr_result& r, const std::vector<double>& residuals) {
+  std::printf("result\nreason %s\n", emtr_reason_name(r.reason));
+#define SCALAR(field) print(#field, &r.field, 1)
+  SCALAR(registered), SCALAR(fitness), SCALAR(inlier_ratio_source), SCALAR(inlier_ratio_target);
+  SCALAR(overlap_source), SCALAR(overlap_target), SCALAR(inlier_rmse_plane), SCALAR(leaf_fine);
+  SCALAR(inlier_rmse), SCALAR(mode_gap), SCALAR(points_source), SCALAR(points_target);
+  SCALAR(dropped_source), SCALAR(dropped_target), SCALAR(sparse_source), SCALAR(dense_source);
+  SCALAR(dense_target), SCALAR(correspondences), SCALAR(tims), SCALAR(tims_pruned);
+  SCALAR(scale), SCALAR(leaf_sparse), SCALAR(leaf_dense), SCALAR(iterations);
+  SCALAR(confidence), SCALAR(score), SCALAR(fit), SCALAR(violation), SCALAR(score_gap);
+  SCALAR(seeds), SCALAR(candidates), SCALAR(escalated), SCALAR(refined), SCALAR(free_directions);
+#undef SCALAR
+  print("transformation", r.transformation, 16);
+  print("center_source", r.center_source, 3);
+  print("center_target", r.center_target, 3);
+  print("history_alpha", r.history_alpha, r.iterations);
+  print("history_beta", r.history_beta, r.iterations);
+  static_assert(sizeof(emtr_alternative) == 17 * sizeof(double), "pose and score, side by side");
+  print("alternatives", r.alternative_count ? r.alternatives->transformation : nullptr,
+        17 * r.alternative_count);
+  print("information", r.information, 36);
+  print("hold", r.hold, 6);
+  print("hold_directions", r.hold_directions, 36);
+  const std::uint64_t lookups[] = {r.lookups_evaluation, r.lookups_switch, r.lookups_complement};
+  print("lookups", lookups, 3);
+  print("residuals", residuals.data(), residuals.size());
+  const std::vector<float> single(residuals.begin(), residuals.end());
+  print("residuals_single", single.data(), single.size());
 }
 
 /// What is handed in; what is not is empty.
@@ -94,14 +107,6 @@ struct Handed {
   }
 };
 
-void print(const double* T, const emtr_result& r, const std::vector<double>& residuals) {
-  for (int i = 0; i < 16; ++i) std::printf("%a ", T[i]);
-  std::printf("%a %a %a %a", r.overlap_source, r.overlap_target, r.inlier_rmse,
-              r.inlier_rmse_plane);
-  for (const double residual : residuals) std::printf(" %a", residual);
-  std::printf("\n");
-}
-
 bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& chosen,
               const Handed& handed) {
   pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ, double> registration;
@@ -110,21 +115,15 @@ bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& 
   if (!registration.setPreset(chosen.preset)) return false;
   registration.setNumberOfThreads(static_cast<unsigned>(chosen.threads));
   registration.setSeed(chosen.seed);
-  Eigen::Matrix4d guess = Eigen::Matrix4d::Identity();
-  if (chosen.priors) {
-    using Eigen::Vector3d;
-    registration.setRotationAxis(Vector3d::Map(kAxis), kTilt, kLeast, kMost);
-    registration.setMaximumRotation(kLargest);
-    registration.setTranslationBounds(Vector3d::Map(kLow), Vector3d::Map(kHigh));
-    registration.setGuessRadius(kDegrees, kDistance);
-    guess = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(kGuess);
-  }
   handed.hand_in(registration);
   for (int twice = 0; twice < 2; ++twice) {
     Cloud aligned;
-    registration.align(aligned, guess);
+    registration.align(aligned);
+    if (!registration.getResult()) return false;
+    emtr_result result = *registration.getResult();
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> T = registration.getFinalTransformation();
-    print(T.data(), *registration.getResult(), registration.getSourceResiduals());
+    std::copy_n(T.data(), 16, result.transformation);
+    print(result, registration.getSourceResiduals());
   }
   return true;
 }
@@ -135,7 +134,6 @@ int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen, const H
   if (emtr_settings_init(&settings, sizeof settings, chosen.preset) != EMTR_OK) return 1;
   settings.threads = chosen.threads;
   settings.seed = chosen.seed;
-  if (chosen.priors) priors_of(settings);
   emtr_cloud from{&source[0].x, source.size(), sizeof source[0], EMTR_FLOAT32};
   emtr_cloud to{&target[0].x, target.size(), sizeof target[0], EMTR_FLOAT32};
   handed.hand_in(0, from);
@@ -150,7 +148,7 @@ int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen, const H
   if (emtr_residuals(&from, &to, result->transformation, chosen.threads, residuals.data(),
                      nullptr) != EMTR_OK)
     return 1;
-  print(result->transformation, *result, residuals);
+  print(*result, residuals);
   emtr_result_free(result);
   return 0;
 }
@@ -162,9 +160,8 @@ int main(int argc, char** argv) {
   if (argc < 6 || argc > 7 || pcl::io::loadPCDFile(argv[1], *source) ||
       pcl::io::loadPCDFile(argv[2], *target))
     return 2;
-  const Chosen chosen{std::atoi(argv[3]), std::strtoul(argv[4], nullptr, 10), argv[5],
-                      argc == 7 && std::string(argv[6]) == "priors"};
+  const Chosen chosen{std::atoi(argv[3]), std::strtoul(argv[4], nullptr, 10), argv[5]};
   Handed handed;
-  if (argc == 7 && !chosen.priors && !handed.read(argv[6], argv + 1)) return 2;
+  if (argc == 7 && !handed.read(argv[6], argv + 1)) return 2;
   return by_class(source, target, chosen, handed) ? by_c(*source, *target, chosen, handed) : 2;
 }

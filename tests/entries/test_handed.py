@@ -9,10 +9,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from test_entries import COMMAND, PROGRAM, generated
+from bit_table.clouds import generated
+from test_entries import BUILD
 
 import pyemtr
 
+PROGRAM, COMMAND = BUILD.program, BUILD.command
 KERNELS = ["generic", pyemtr.kernel_name()]
 
 
@@ -86,7 +88,9 @@ def test_same_bits(what: str, preset: str, tmp_path: Path) -> None:
         words = [*map(str, files), str(threads), "5", preset, program_word]
         printed = outcome([str(PROGRAM), *words], kernel)
         found = [
-            [float.fromhex(word) for word in line.split()[:16]] for line in printed.splitlines()
+            [float.fromhex(word) for word in line.split()[1:]]
+            for line in printed.splitlines()
+            if line.startswith("transformation ")
         ]
         assert len(found) == 3
         words = ["--threads", str(threads), "--seed", "5", "--preset", preset, *options]

@@ -22,7 +22,7 @@ void prepare(const emtr_cloud& cloud, const std::string& name) {
   const std::unique_ptr<emtr_prepared, decltype(&emtr_prepared_free)> owned(prepared,
                                                                             emtr_prepared_free);
   emtr_prepared_info info;
-  require(accepted(emtr_prepared_describe(prepared, &info)));
+  require(accepted(emtr_prepared_describe(prepared, &info, sizeof info)));
   require(info.points + info.dropped == cloud.count && info.points >= 10);
   require(info.kept == info.points);  // far too few to be thinned
   require(std::isfinite(info.radius) && info.radius > 0);

@@ -96,7 +96,7 @@ void use(emtr_problem* problem, Input& input) {
     accepted(emtr_transformation_to_particle(problem, T, back));
   }
   emtr_problem_info info;
-  require(accepted(emtr_problem_describe(problem, &info)));
+  require(accepted(emtr_problem_describe(problem, &info, sizeof info)));
   require(info.scale > 0 && info.tims_pruned <= info.tims && info.leaf_dense > 0);
   read_array(problem, input);
 }

@@ -14,7 +14,7 @@ using fuzz::require;
 
 std::string any_name(Input& input) {
   emtr_setting_info info;
-  if (accepted(emtr_setting_describe(input.ConsumeIntegral<std::uint8_t>(), &info)))
+  if (accepted(emtr_setting_describe(input.ConsumeIntegral<std::uint8_t>(), &info, sizeof info)))
     return info.name;
   return input.ConsumeRandomLengthString(24);
 }
@@ -53,6 +53,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     accepted(emtr_settings_init(&settings, input.ConsumeIntegral<std::size_t>(), nullptr));
   for (int i = 0; i < 20 && input.remaining_bytes() > 0; ++i)
     input.ConsumeBool() ? set(settings, input) : overwrite(settings, input);
+
+  settings.correspondences = nullptr;  // memory of the caller's, which has to be there
+  settings.correspondence_count = 0;
 
   // The whole of them is judged before the clouds are looked at, and these have no points.
   const emtr_cloud empty{nullptr, 0, 0, EMTR_FLOAT32};

@@ -159,6 +159,7 @@ def main() -> None:
     files = {
         "settings": calls(),
         "cloud": calls(),
+        "residuals": calls(),
         "registration": calls(),
         "pcd": pcd(),
         "ply": ply(),

@@ -22,7 +22,8 @@ inline emtr_settings small_settings(Input& input) {
   require(accepted(emtr_settings_init(&settings, sizeof settings, preset)));
   for (int n = input.ConsumeIntegralInRange(0, 6); n > 0; --n) {
     emtr_setting_info info;
-    if (!accepted(emtr_setting_describe(input.ConsumeIntegral<std::uint8_t>(), &info))) continue;
+    if (!accepted(emtr_setting_describe(input.ConsumeIntegral<std::uint8_t>(), &info, sizeof info)))
+      continue;
     const double share = input.ConsumeProbability<double>();
     const double within = info.minimum + share * share * share * (info.maximum - info.minimum);
     const bool whole = info.type != EMTR_SETTING_REAL;

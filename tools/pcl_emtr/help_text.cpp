@@ -25,8 +25,8 @@ Notes:
   setting given beside a preset changes that one setting.
   The confidence is the probability held that T is right: within 5 degrees, and within 0.06 of
   the larger cloud's radius where the source ends up. Preset "paper" has none.
-  Outputs are written whole or not at all. Ctrl-C stops the search and gives the best pose so
-  far, as not registered; a second one ends the program.
+  Outputs are written whole or not at all. Ctrl-C, SIGTERM and --time-limit stop the search and
+  give the best pose so far, as not registered; a second Ctrl-C ends the program.
 
 Exit codes:
   0  registered
@@ -35,7 +35,8 @@ Exit codes:
      or a cloud that cannot be registered (fewer than 10 finite points, or all on a line)
   3  not registered: T is written all the same, but is doubtful; the reason is told: too little
      overlap, another pose that fits as well, too few matches, surfaces that slide along
-     themselves, or Ctrl-C
+     themselves, or the time limit
+  130, 143  stopped by Ctrl-C, by SIGTERM: the best pose so far is written, if any was known
 )";
 
 }  // namespace cli

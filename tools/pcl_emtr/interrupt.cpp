@@ -11,7 +11,7 @@ constexpr std::array<int, 2> kSignals = {SIGINT, SIGTERM};
 std::array<struct sigaction, kSignals.size()> previous;
 volatile sig_atomic_t request = 0;
 
-void note(int) { request = 1; }
+void note(int number) { request = number; }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ Interrupt::~Interrupt() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &previous[i], nullptr);
 }
 
-bool Interrupt::requested() { return request != 0; }
+int Interrupt::number() { return request; }
 
 void ignore_interrupts() {
   for (const int number : kSignals) signal(number, SIG_IGN);

@@ -11,7 +11,8 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  static bool requested();
+  static bool requested() { return number() != 0; }
+  static int number();  ///< of the signal that asked, 0 for none
 };
 
 /// From here on the process finishes what it began: its files are being put in place.

@@ -102,7 +102,7 @@ int run(int argc, char** argv) {
   if (!options.aligned.empty())
     talk.saved(options.aligned, std::to_string(source.size()) + " points");
   if (!options.report.empty()) talk.saved(options.report, "report");
-  return result->registered ? kRegistered : kNotRegistered;
+  return exit_code(*result);
 }
 
 }  // namespace

@@ -68,10 +68,15 @@ Result run_registration(const CloudFile& source, const CloudFile& target, const 
   Result result(raw);
   for (const double value : result->transformation)
     if (!std::isfinite(value))
-      throw Failure(kNotRegistered, std::string("not registered: ") +
-                                        emtr_reason_text(result->reason) +
-                                        " before any pose was known; nothing is written");
+      throw Failure(exit_code(*result), std::string("not registered: ") +
+                                            emtr_reason_text(result->reason) +
+                                            " before any pose was known; nothing is written");
   return result;
+}
+
+int exit_code(const emtr_result& result) {
+  if (result.reason == EMTR_REASON_INTERRUPTED) return kSignal + Interrupt::number();
+  return result.registered ? kRegistered : kNotRegistered;
 }
 
 }  // namespace cli

@@ -18,4 +18,7 @@ using Result = std::unique_ptr<emtr_result, FreeResult>;
 /// Throws a Failure that names the file at fault.
 Result run_registration(const CloudFile& source, const CloudFile& target, const Options& options);
 
+/// What the process returns for a result.
+int exit_code(const emtr_result& result);
+
 }  // namespace cli

@@ -72,9 +72,10 @@ EMTR_API const char* emtr_kernel_name(void);
  * has radius 1.
  * emtr_setting_describe() gives unit, range, default and meaning of each. */
 typedef struct emtr_settings {
-  size_t size;     /* sizeof(emtr_settings), set by emtr_settings_init() */
-  uint64_t seed;   /* any; the same seed gives the same bits */
-  int32_t threads; /* 0: as many as OpenMP would use; the result does not depend on it */
+  size_t size;       /* sizeof(emtr_settings), set by emtr_settings_init() */
+  uint64_t seed;     /* any; the same seed gives the same bits */
+  int32_t threads;   /* 0: as many as OpenMP would use; the result does not depend on it */
+  double time_limit; /* seconds, 0: none. A run that takes longer gives its best pose so far */
 
   /* densities */
   int32_t dense_points;        /* both dense clouds together */
@@ -242,7 +243,7 @@ typedef enum emtr_scalar { EMTR_FLOAT32 = 0, EMTR_FLOAT64 = 1 } emtr_scalar;
  * Needed: at least 10 finite points, 10 also after thinning (some 25 well spread ones do), that
  * do not lie on one point or one line.
  *
- * What was computed elsewhere can be handed in, one row a point; null: none.
+ * What was computed elsewhere can be handed in, one row a point; null: none (initialise it all).
  * Normals replace those that would be estimated. They need not be of unit length; a point whose
  * normal has a NaN, an infinity or no length has none. Where both clouds have some, the side that
  * they point to counts in the features.
@@ -276,10 +277,11 @@ typedef struct emtr_progress {
   double best_beta;
 } emtr_progress;
 
-/* Called on the calling thread, before each stage and after each iteration. Non-zero stops
- * the run: the result then has reason EMTR_REASON_INTERRUPTED. It must not throw. During the
- * evolution it runs inside an OpenMP region of the library's, so OpenMP code in it gets one thread.
- */
+/* Called on the calling thread: before each stage, after each iteration, and again with the same
+ * progress about every 20 ms while a stage lasts, however long. Non-zero stops the run within 100
+ * ms: the result then has reason EMTR_REASON_INTERRUPTED and the best pose so far. It may call the
+ * library, but for functions of the problem that is being solved. What it throws in C++ ends the
+ * run with EMTR_ERROR_INTERNAL. It sees the default floating-point environment. */
 typedef int (*emtr_progress_fn)(const emtr_progress* progress, void* user);
 
 /* ---- result ------------------------------------------------------------------------- */
@@ -290,11 +292,12 @@ typedef enum emtr_reason {
   EMTR_REASON_AMBIGUOUS = 2,   /* another, clearly different pose fits about as well */
   EMTR_REASON_FEW_MATCHES = 3, /* too few feature matches for task beta to mean anything */
   EMTR_REASON_INTERRUPTED = 4, /* stopped by the progress callback */
-  EMTR_REASON_DEGENERATE = 5   /* the surfaces can slide or spin along themselves */
+  EMTR_REASON_DEGENERATE = 5,  /* the surfaces can slide or spin along themselves */
+  EMTR_REASON_TIME_LIMIT = 6   /* stopped by the setting time_limit */
 } emtr_reason;
 
 /* A reason's short name, which stays the same: "registered", "low_overlap", "ambiguous",
- * "few_matches", "interrupted", "degenerate". "unknown" for what is none. */
+ * "few_matches", "interrupted", "degenerate", "time_limit". "unknown" for what is none. */
 EMTR_API const char* emtr_reason_name(emtr_reason reason);
 
 /* What a reason means, in a few words. Never null. */
@@ -311,7 +314,8 @@ typedef struct emtr_result {
   size_t size; /* of this struct, as the library was compiled */
 
   double transformation[16]; /* source into target, row-major, user's unit; orthonormal R.
-                                All NaN when interrupted before any pose was known */
+                                When stopped (reasons INTERRUPTED and TIME_LIMIT) the best pose
+                                so far, all NaN when none was known yet */
   int32_t registered;        /* 1: the pose is held to be right; 0: doubtful */
   emtr_reason reason;
 
@@ -380,7 +384,8 @@ typedef struct emtr_result {
 
   /* the answer's standing among the candidates */
   double confidence; /* held probability that the pose is right (within 5 degrees and 0.06 radii),
-                        0 to 1, in steps of 1e-6; NaN without candidates, as the four below */
+                        0 to 1, in steps of 1e-6; NaN without candidates, as the four below, and
+                        when stopped before all of them were ranked */
   double score;      /* fit - 2 violation, at most 1 */
   double fit;        /* how well the surfaces lie on each other, 0 to 1 (best) */
   double violation;  /* share of points in front of what the other scan saw */
@@ -443,6 +448,15 @@ EMTR_API emtr_status emtr_prepare(const emtr_cloud* cloud, const char* name, int
                                   emtr_prepared** prepared);
 EMTR_API void emtr_prepared_free(emtr_prepared* prepared);
 
+/* As emtr_register(), and keeps what it makes ready: a cloud whose *kept is not null is not read,
+ * that one stands for it; else *kept receives what was prepared. Either pointer may be null, as
+ * the cloud of one that is kept. What was prepared by the time of an error or a stop is kept too.
+ */
+EMTR_API emtr_status emtr_register_kept(const emtr_cloud* source, emtr_prepared** kept_source,
+                                        const emtr_cloud* target, emtr_prepared** kept_target,
+                                        const emtr_settings* settings, emtr_progress_fn progress,
+                                        void* user, emtr_result** result);
+
 typedef struct emtr_prepared_info {
   size_t points;    /* finite */
   size_t dropped;   /* with NaN or infinity */
@@ -472,7 +486,8 @@ EMTR_API emtr_status emtr_register_prepared(const emtr_prepared* source,
  * Rx(theta3), any real angle; t in the normalised frame. */
 typedef struct emtr_problem emtr_problem;
 
-/* Keeps nothing of the caller's memory. On an error *problem is set to null. */
+/* Keeps nothing of the caller's memory. On an error *problem is set to null. The time limit does
+ * not count here but in emtr_problem_solve(). */
 EMTR_API emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
                                          const emtr_settings* settings, emtr_problem** problem);
 /* Of prepared clouds, which may be freed before the problem. */
@@ -482,7 +497,8 @@ EMTR_API emtr_status emtr_problem_create_prepared(const emtr_prepared* source,
                                                   emtr_problem** problem);
 EMTR_API void emtr_problem_free(emtr_problem* problem);
 
-/* The evolution and the verdict on a problem; the timings count its making too. */
+/* The evolution and the verdict on a problem; the timings count its making too, the time limit
+ * does not. */
 EMTR_API emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress,
                                         void* user, emtr_result** result);
 

@@ -29,12 +29,22 @@ std::vector<Rigid> Pool::shortlist(const std::vector<Rigid>& poses, std::size_t 
 }
 
 void Pool::add(const std::vector<Rigid>& poses, Team& team) {
-  std::vector<Candidate> fresh(poses.size());
+  std::vector<std::optional<Candidate>> fresh(poses.size());
   std::vector<Scratch> scratch(team.size());
-  team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-    fresh[i] = judged(poses[i], scratch[thread]);
-  });
-  ranked_.insert(ranked_.end(), fresh.begin(), fresh.end());
+  try {
+    team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
+      fresh[i] = judged(poses[i], scratch[thread]);
+    });
+  } catch (const Stopped&) {
+    take_in(fresh);
+    throw;
+  }
+  take_in(fresh);
+}
+
+void Pool::take_in(const std::vector<std::optional<Candidate>>& fresh) {
+  for (const auto& candidate : fresh)
+    if (candidate) ranked_.push_back(*candidate);
   std::stable_sort(ranked_.begin(), ranked_.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   std::vector<Candidate> distinct;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "../rigid.h"
@@ -27,7 +28,7 @@ class Pool {
   /// The `most` poses with the best quick score that are no copies of each other, best first.
   std::vector<Rigid> shortlist(const std::vector<Rigid>& poses, std::size_t most, Team& team) const;
 
-  /// Polishes and scores them, and takes them in.
+  /// Polishes and scores them, and takes them in; when stopped, those that were done by then.
   void add(const std::vector<Rigid>& poses, Team& team);
 
   const std::vector<Candidate>& ranked() const { return ranked_; }
@@ -37,6 +38,7 @@ class Pool {
     Ranking::Scratch ranking;
     LocalPolish::Scratch polish;
   };
+  void take_in(const std::vector<std::optional<Candidate>>& fresh);
   Candidate judged(const Rigid& start, Scratch& scratch) const;
 
   const Surfaces& surfaces_;

@@ -41,16 +41,17 @@ void CandidateSearch::escalate() {
   const Viewpoints of_target = viewpoints(surfaces_.target(), given.target);
   const auto seeds = admissible(
       escalated_seeds(pair_, of_source, of_target, settings_, kernels_, threads_), prior_);
-  oriented_ = std::make_unique<Surfaces>(surfaces_.source(), surfaces_.target(), of_source,
-                                         of_target, kernels_);
-  auto pool = std::make_unique<Pool>(*oriented_, prior_);
+  auto oriented = std::make_unique<Surfaces>(surfaces_.source(), surfaces_.target(), of_source,
+                                             of_target, kernels_);
+  auto pool = std::make_unique<Pool>(*oriented, prior_);
   Team::with(threads_, [&](Team& team) {
     std::vector<Rigid> all =
         pool->shortlist(seeds, static_cast<std::size_t>(settings_.escalation_candidates), team);
     for (const Candidate& c : pool_->ranked()) all.push_back(c.pose);
     pool->add(all, team);
   });
-  pool_ = std::move(pool);
+  pool_ = std::move(pool);  // now, and not in part when it is stopped before
+  oriented_ = std::move(oriented);
 }
 
 Viewpoints CandidateSearch::viewpoints(const Surface& surface,

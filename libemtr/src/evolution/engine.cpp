@@ -36,17 +36,22 @@ class Engine {
   Evolution run(const OnIteration& on_iteration) {
     const int switch_at =
         static_cast<int>(std::ceil(settings_.switch_fraction * settings_.iterations - 1e-9));
-    for (int it = 0; it < settings_.iterations && !out_.stopped; ++it) {
-      if (stage_ == EMTR_STAGE_SPARSE && it == switch_at) become_dense();
-      evaluate();
-      poses_.update_bests();
-      beta_changed_ |= rotations_.update_bests();
-      out_.history_alpha.push_back(poses_.gbest_fitness());
-      out_.history_beta.push_back(rotations_.gbest_fitness());
-      move(it);
-      out_.stopped = on_iteration(it + 1, poses_.gbest_fitness(), rotations_.gbest_fitness());
+    try {
+      for (int it = 0; it < settings_.iterations && !out_.stopped; ++it) {
+        if (stage_ == EMTR_STAGE_SPARSE && it == switch_at) become_dense();
+        evaluate();
+        poses_.update_bests();
+        beta_changed_ |= rotations_.update_bests();
+        out_.history_alpha.push_back(poses_.gbest_fitness());
+        out_.history_beta.push_back(rotations_.gbest_fitness());
+        move(it);
+        out_.stopped = on_iteration(it + 1, poses_.gbest_fitness(), rotations_.gbest_fitness());
+      }
+    } catch (const Stopped&) {  // in the midst of an iteration: the pbests are those before it
+      out_.stopped = true;
     }
-    for (std::size_t i = 0; i < poses_.size(); ++i)
+    const std::size_t remembered = out_.history_alpha.empty() ? 0 : poses_.size();
+    for (std::size_t i = 0; i < remembered; ++i)
       out_.hypotheses.push_back({space_.pose(poses_.best_position(i)), poses_.best_fitness(i)});
     out_.best = poses_.gbest();
     out_.stage = stage_;
@@ -74,11 +79,12 @@ class Engine {
   /// Lines 22-26: the pbests are scored anew; the positions are in this iteration's evaluation
   /// anyway, and update_bests() then makes each pbest the better of the two.
   void become_dense() {
-    stage_ = EMTR_STAGE_DENSE;
     std::vector<double> fitness(poses_.size());
     team_.parallel(poses_.size(), [&](std::size_t i, std::size_t thread) {
-      fitness[i] = alpha_.evaluate(stage_, space_.pose(poses_.best_position(i)), scratch_[thread]);
+      fitness[i] =
+          alpha_.evaluate(EMTR_STAGE_DENSE, space_.pose(poses_.best_position(i)), scratch_[thread]);
     });
+    stage_ = EMTR_STAGE_DENSE;
     poses_.set_best_fitness(fitness);
     out_.lookups_switch += poses_.size() * alpha_.lookups(stage_);
   }
@@ -117,7 +123,7 @@ Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const std::vector<Rigid>& starts, const OnIteration& on_iteration,
                  const Prior* prior) {
   Evolution out;
-  const int threads = thread_count(settings);  // asked once: inside the team it may differ
+  const int threads = thread_count(settings);
   Team::with(threads, [&](Team& team) {
     Engine engine(alpha, beta, complement, settings, prior, static_cast<std::size_t>(threads),
                   team);

@@ -6,6 +6,7 @@
 
 #include "../tasks/m_estimator.h"
 #include "../tasks/transform.h"
+#include "../watch.h"
 
 namespace emtr {
 
@@ -29,6 +30,7 @@ void KnowledgeComplement::translation(const double* R, double t[3], const Prior*
   const int iterations = settings_.complement_iterations;
   const double shrink = settings_.complement_scale_end / settings_.complement_scale_start;
   for (int k = 0; k < iterations; ++k) {
+    poll();
     const double progress = iterations > 1 ? static_cast<double>(k) / (iterations - 1) : 0;
     const double scale = settings_.complement_scale_start * std::pow(shrink, progress);
     transform(kernels_, source_, pose, x.data(), y.data(), z.data());

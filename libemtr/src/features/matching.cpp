@@ -82,6 +82,7 @@ struct Nearest {
   void merge(const Nearest& other) {
     std::vector<std::pair<float, std::int32_t>> both(2 * k);
     for (std::size_t i = 0; i < n; ++i) {
+      poll_each(i, 10);
       for (std::size_t j = 0; j < k; ++j) {
         both[j] = {squared[j * n + i], index[j * n + i]};
         both[k + j] = {other.squared[j * n + i], other.index[j * n + i]};

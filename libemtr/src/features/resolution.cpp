@@ -42,6 +42,7 @@ double mean_resolution(const Cloud& cloud, std::size_t most) {
   double sum = 0;
   std::size_t asked = 0;
   for (std::size_t i = 0; i < cloud.size(); i += step, ++asked) {
+    poll_each(asked, 6);
     tree.nearestKSearch((*points)[i], 2, index, squared);
     sum += std::sqrt(static_cast<double>(squared[1]));
   }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "../watch.h"
+
 namespace emtr {
 
 Tims form_tims(const Cloud& source, const Cloud& target,
@@ -30,7 +32,8 @@ Tims form_tims(const Cloud& source, const Cloud& target,
     append(tims.ends_source, point(source, c.source));
     append(tims.ends_target, point(target, c.target));
   }
-  for (std::size_t j = 0; j < correspondences.size(); ++j)
+  for (std::size_t j = 0; j < correspondences.size(); ++j) {
+    poll();
     for (std::size_t k = j + 1; k < correspondences.size(); ++k) {
       const auto p = difference(source, correspondences[j].source, correspondences[k].source);
       const auto q = difference(target, correspondences[j].target, correspondences[k].target);
@@ -41,6 +44,7 @@ Tims form_tims(const Cloud& source, const Cloud& target,
       append(tims.source, p);
       append(tims.target, q);
     }
+  }
   return tims;
 }
 

@@ -26,6 +26,7 @@ double find_leaf(const std::function<std::size_t(float)>& count, double wanted, 
   double best = finest, best_error = HUGE_VAL, last_x = 0, last_y = 0;
   bool finest_is_too_fine = false;
   for (int step = 0; step < 24; ++step) {
+    poll();
     const double n = static_cast<double>(count(static_cast<float>(std::exp(x))));
     const double y = std::log(n), error = std::abs(n - wanted);
     if (error < best_error) {
@@ -90,6 +91,7 @@ Densities thin(const NormalisedPair& pair, const Settings& settings) {
   };
 
   // Two half balls of radius 1 have a surface of some 10.
+  poll();
   out.leaf_dense = find_leaf(dense_count, settings.dense_points, finest_leaf(pair, settings),
                              std::sqrt(10.0 / settings.dense_points));
   thin_both(out.leaf_dense, out.source_dense, out.target_dense);

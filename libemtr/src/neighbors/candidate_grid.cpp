@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "../watch.h"
 #include "cells.h"
 #include "neighbors.h"
 
@@ -86,6 +87,7 @@ class CandidateGrid final : public Neighbors {
   bool for_each_reach(const Cloud& cloud, Visit visit) const {
     std::array<Reach, 3> r;
     for (std::size_t n = 0; n < cloud.size(); ++n) {
+      poll_each(n, 6);
       reach(cloud.x[n], 0, r[0]);
       reach(cloud.y[n], 1, r[1]);
       reach(cloud.z[n], 2, r[2]);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "../watch.h"
 #include "cells.h"
 #include "neighbors.h"
 
@@ -66,6 +67,7 @@ class VoxelCells final : public Neighbors {
     const std::size_t n = cloud.size();
     std::vector<std::uint32_t> cell(n);
     for (std::size_t i = 0; i < n; ++i) {
+      poll_each(i, 12);
       cell[i] = static_cast<std::uint32_t>(cell_of(cloud.x[i], cloud.y[i], cloud.z[i]));
       points.set(cell[i]);
     }
@@ -103,7 +105,9 @@ class VoxelCells final : public Neighbors {
 
   void list(const Occupancy& points, const std::vector<std::uint32_t>& begin) {
     occupied_ = Occupancy(cell_count());
+    std::size_t step = 0;
     points.for_each([&](std::size_t cell) {
+      poll_each(++step, 10);
       for_each_row(cell, [&](std::size_t first, std::size_t n) {
         for (std::size_t i = 0; i < n; ++i) occupied_.set(first + i);
       });
@@ -111,6 +115,7 @@ class VoxelCells final : public Neighbors {
     occupied_.count();
     begin_.reserve(occupied_.size() + 1);
     occupied_.for_each([&](std::size_t cell) {
+      poll_each(++step, 10);
       begin_.push_back(static_cast<std::uint32_t>(starts_.size()));
       std::uint32_t read = 0;  // places before this one need no more reading
       for_each_row(cell, [&](std::size_t first, std::size_t n) {

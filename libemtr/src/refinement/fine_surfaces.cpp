@@ -17,11 +17,12 @@ constexpr double kQueries = 5e4;  // look-ups of one polish, about
 FineSurfaces fine_surfaces(const NormalisedPair& pair, double leaf, const Kernels& kernels) {
   FineSurfaces out;
   for (int attempt = 0;; ++attempt) {
-    const auto thin = [&](const Cloud& cloud, const Cloud& normals) {
-      return normals.size() ? thin_surface(cloud, normals, leaf) : thin_surface(cloud, leaf);
+    const auto thin = [&](const Cloud& cloud, const PreparedCloudPtr& from) {
+      const bool given = from && from->normals.size();  // a pair may be made of bare points
+      return given ? thin_surface(cloud, from->normals, leaf) : thin_surface(cloud, leaf);
     };
-    out.source = thin(pair.source, pair.prepared_source->normals);
-    out.target = thin(pair.target, pair.prepared_target->normals);
+    out.source = thin(pair.source, pair.prepared_source);
+    out.target = thin(pair.target, pair.prepared_target);
     const auto filling = [](const Cloud& points, const Surface& surface) {
       return static_cast<double>(points.size()) / static_cast<double>(surface.points.size());
     };

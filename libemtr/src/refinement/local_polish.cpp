@@ -126,7 +126,7 @@ void LocalPolish::sum_block(const Look& at, bool reversed, std::size_t begin, st
   }
 }
 
-void LocalPolish::look(const Look& at, Scratch& s, int threads, Polished& out) const {
+void LocalPolish::look(const Look& at, Scratch& s, Team& team, Polished& out) const {
   const std::size_t n = at.all ? source_.queries.size() : source_.first,
                     m = !settings_.both_ways ? 0
                         : at.all             ? target_.queries.size()
@@ -139,12 +139,7 @@ void LocalPolish::look(const Look& at, Scratch& s, int threads, Polished& out) c
     sum_block(at, reversed, begin, std::min(begin + kBlock, reversed ? m : n), b * kBlock, s,
               s.blocks[b]);
   };
-  if (threads > 1 && total > 1) {
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::size_t b = 0; b < total; ++b) work(b);
-  } else {
-    for (std::size_t b = 0; b < total; ++b) work(b);
-  }
+  team.parallel(total, [&](std::size_t b, std::size_t) { work(b); });
   const auto share = [](double inliers, std::size_t queries) {
     return queries ? inliers / static_cast<double>(queries) : 0;
   };
@@ -160,6 +155,14 @@ void LocalPolish::look(const Look& at, Scratch& s, int threads, Polished& out) c
 
 Polished LocalPolish::operator()(const Rigid& start, Scratch& s, int threads,
                                  const Prior* prior) const {
+  Polished out;
+  const auto body = [&](Team& team) { out = polished(start, s, team, prior); };
+  Team::with(threads, std::ref(body));
+  return out;
+}
+
+Polished LocalPolish::polished(const Rigid& start, Scratch& s, Team& team,
+                               const Prior* prior) const {
   double T[16];
   to_matrix(start, T);
   require(is_rigid(T), "expected a finite rigid pose at the start");
@@ -174,7 +177,7 @@ Polished LocalPolish::operator()(const Rigid& start, Scratch& s, int threads,
   Look at{start, settings_.first_scale * leaf_, settings_.first_scale <= settings_.last_scale};
   out.end = PolishEnd::Iterations;
   while (out.iterations < settings_.iterations && out.end == PolishEnd::Iterations) {
-    look(at, s, threads, out);
+    look(at, s, team, out);
     ++out.iterations;
     const Vector6 step = solve(out.sums, at.pose, prior);
     if (out.sums.inliers < static_cast<double>(settings_.least_inliers) || !step.allFinite()) {

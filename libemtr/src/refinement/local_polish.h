@@ -8,6 +8,7 @@
 #include "../neighbors/neighbors.h"
 #include "../priors/prior.h"
 #include "../rigid.h"
+#include "../team.h"
 #include "normal_equations.h"
 #include "plane_to_plane.h"
 #include "surface.h"
@@ -101,7 +102,9 @@ class LocalPolish {
   };
 
   static Side prepare(const Surface& surface, const Neighbors* near_other, const Polish& settings);
-  void look(const Look& at, Scratch& scratch, int threads, Polished& out) const;
+  Polished polished(const Rigid& start, Scratch& scratch, Team& team,
+                    const Prior* prior = nullptr) const;
+  void look(const Look& at, Scratch& scratch, Team& team, Polished& out) const;
   void sum_block(const Look& at, bool reversed, std::size_t begin, std::size_t end,
                  std::size_t place, Scratch& scratch, NormalEquations& sums) const;
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../features/cubes.h"
+#include "../watch.h"
 
 namespace emtr {
 namespace {
@@ -66,6 +67,7 @@ void radix_sort(std::vector<Keyed>& items, std::uint64_t most) {
   constexpr int digit = 11;
   std::vector<Keyed> other(items.size());
   for (int shift = 0; shift < 64 && (most >> shift); shift += digit) {
+    poll();  // a pass over a million items takes some milliseconds
     const auto bucket = [shift](const Keyed& item) {
       return static_cast<std::size_t>(item.key >> shift) & ((std::size_t{1} << digit) - 1);
     };
@@ -85,13 +87,16 @@ struct Cubes {
 
 Cubes fill(const Cloud& cloud, const Lattice& lattice) {
   std::vector<Keyed> items(cloud.size());
-  for (std::size_t i = 0; i < items.size(); ++i)
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    poll_each(i, 14);
     items[i] = {lattice.key(cloud, i), static_cast<std::uint32_t>(i)};
+  }
   radix_sort(items,
              static_cast<std::uint64_t>(lattice.size[0] * lattice.size[1] * lattice.size[2]));
   Cubes cubes;
   Moments sum{};
   for (const Keyed& item : items) {
+    poll_each(static_cast<std::size_t>(&item - items.data()), 14);
     if (cubes.keys.empty() || item.key != cubes.keys.back()) {
       cubes.keys.push_back(item.key);
       cubes.before.push_back(sum);
@@ -165,6 +170,7 @@ Surface thin_surface(const Cloud& cloud, double leaf, double reach) {
   out.points.resize(n);
   out.normals.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
+    poll_each(i, 10);
     out.points.set(i, centroid(cubes, i).data());
     Moments about{};
     for (Row& row : rows) {

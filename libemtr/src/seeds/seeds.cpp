@@ -42,6 +42,7 @@ std::vector<std::size_t> centres(const Consistency& c, double threshold, std::si
   std::vector<std::size_t> taken;
   for (const std::size_t i : order) {
     if (taken.size() == most || c.degree(i) < 2) break;
+    poll();
     const bool copy = std::any_of(taken.begin(), taken.end(), [&](std::size_t j) {
       return near(c.p(), i, j) && near(c.q(), i, j);
     });

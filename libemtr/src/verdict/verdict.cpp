@@ -1,6 +1,7 @@
 #include "verdict.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "../candidates/modes.h"
 
@@ -42,7 +43,10 @@ Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& al
   v.fitness = (source.rho_sum + target.rho_sum) / alpha.worst(EMTR_STAGE_DENSE);
   v.inlier_ratio_source = inlier_ratio(source.squared, c);
   v.inlier_ratio_target = inlier_ratio(target.squared, c);
-  v.mode_gap = other_mode(evolution, pose, alpha) - v.fitness;
+  // Of a run that was stopped nobody waits for fitness that is not known yet.
+  const bool known = !evolution.hypotheses.empty() && evolution.stage == EMTR_STAGE_DENSE;
+  v.mode_gap = known || !evolution.stopped ? other_mode(evolution, pose, alpha) - v.fitness
+                                           : std::numeric_limits<double>::quiet_NaN();
 
   if (evolution.stopped)
     v.reason = EMTR_REASON_INTERRUPTED;

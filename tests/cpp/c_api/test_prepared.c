@@ -76,6 +76,48 @@ static int stop(const emtr_progress* progress, void* user) {
   return strcmp(progress->stage, (const char*)user) == 0;
 }
 
+/* A registration may keep what it makes ready, and take what another one kept. */
+static void kept(void) {
+  bumpy_pair pair;
+  emtr_cloud source, target;
+  emtr_prepared *a = NULL, *b = NULL, *first;
+  emtr_result *plain = NULL, *result = NULL;
+  char frame[] = "frame";
+  if (bumpy_pair_make(&pair, 2, 3000, 1.0)) exit(1);
+  source = cloud_of(pair.source, pair.count);
+  target = cloud_of(pair.target, pair.count);
+  CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &plain));
+
+  CHECK_OK(emtr_register_kept(&source, &a, &target, &b, NULL, stop, frame, &result));
+  CHECK(result && result->reason == EMTR_REASON_INTERRUPTED && a == NULL && b == NULL);
+  emtr_result_free(result);
+  CHECK_OK(emtr_register_kept(&source, &a, &target, NULL, NULL, NULL, NULL, &result));
+  CHECK(a != NULL && b == NULL);
+  same(plain, result);
+  emtr_result_free(result);
+  first = a;
+  CHECK_OK(emtr_register_kept(NULL, &a, &target, &b, NULL, NULL, NULL, &result));
+  CHECK(a == first && b != NULL);
+  same(plain, result);
+  emtr_result_free(result);
+  CHECK_OK(emtr_register_kept(NULL, &a, NULL, &b, NULL, NULL, NULL, &result));
+  same(plain, result);
+  emtr_result_free(result);
+
+  CHECK_ERROR(emtr_register_kept(NULL, NULL, NULL, &b, NULL, NULL, NULL, &result),
+              EMTR_ERROR_ARGUMENT, "source is null");
+  CHECK(result == NULL);
+  source.count = 5; /* too few; but the target is not at fault, and was not reached */
+  first = NULL;
+  CHECK_ERROR(emtr_register_kept(&source, NULL, &target, &first, NULL, NULL, NULL, &result),
+              EMTR_ERROR_CLOUD, "source cloud");
+  CHECK(result == NULL && first == NULL);
+  emtr_prepared_free(a);
+  emtr_prepared_free(b);
+  emtr_result_free(plain);
+  bumpy_pair_free(&pair);
+}
+
 static void wrong_calls(void) {
   static const float few[27];
   bumpy_pair pair;
@@ -119,6 +161,7 @@ static void wrong_calls(void) {
 
 int main(void) {
   one_against_many();
+  kept();
   wrong_calls();
   return check_result();
 }

@@ -1,4 +1,5 @@
 /* One call from clouds to result: the pose, the same bits again, progress, priors. */
+#include <fenv.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,11 +8,7 @@
 #include "check.h"
 
 static emtr_cloud cloud_of(const float* points, size_t count) {
-  emtr_cloud cloud;
-  cloud.points = points;
-  cloud.count = count;
-  cloud.stride = 0;
-  cloud.scalar = EMTR_FLOAT32;
+  emtr_cloud cloud = {.points = points, .count = count, .scalar = EMTR_FLOAT32};
   return cloud;
 }
 
@@ -140,7 +137,8 @@ static void viewpoints(const bumpy_pair* pair) {
 static void layout_of_the_input_does_not_matter(const bumpy_pair* pair, const emtr_result* whole) {
   const size_t stride = 3 * sizeof(double) + 5; /* aligned to nothing */
   char* strided = (char*)malloc(pair->count * stride + 1);
-  emtr_cloud source, target = cloud_of(pair->target, pair->count);
+  emtr_cloud source = {.stride = stride, .scalar = EMTR_FLOAT64};
+  emtr_cloud target = cloud_of(pair->target, pair->count);
   emtr_result* result = NULL;
   size_t i;
   int k;
@@ -152,8 +150,6 @@ static void layout_of_the_input_does_not_matter(const bumpy_pair* pair, const em
     }
   source.points = strided + 1;
   source.count = pair->count;
-  source.stride = stride;
-  source.scalar = EMTR_FLOAT64;
   CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &result));
   if (result) same_pose(whole, result);
   emtr_result_free(result);
@@ -178,15 +174,19 @@ static void points_that_are_not_finite_are_dropped(bumpy_pair pair) {
 typedef struct watch {
   int calls, iterations, stop_at, in_all;
   char stages[256];
+  const char* last;
 } watch;
 
 static int on_progress(const emtr_progress* progress, void* user) {
   watch* w = (watch*)user;
   ++w->calls;
   if (progress->iteration == 0) {
-    strcat(w->stages, progress->stage);
-    strcat(w->stages, " ");
-  } else {
+    if (strcmp(progress->stage, w->last) != 0) {
+      strcat(w->stages, progress->stage);
+      strcat(w->stages, " ");
+      w->last = progress->stage;
+    }
+  } else if (progress->iteration != w->iterations) { /* not the same once more */
     CHECK(strcmp(progress->stage, "evolution") == 0);
     CHECK(progress->iteration == ++w->iterations && progress->iterations == w->in_all);
     CHECK(progress->best_alpha >= 0 && progress->best_beta >= 0);
@@ -197,8 +197,8 @@ static int on_progress(const emtr_progress* progress, void* user) {
 static void progress_and_stop(const bumpy_pair* pair, const emtr_result* whole) {
   emtr_settings settings = preset(NULL);
   const int in_all = settings.iterations;
-  watch all = {0, 0, -1, 0, ""}, third = {0, 0, 3, 0, ""}, at_once = {0, 0, 0, 0, ""};
-  watch thorough = {0, 0, -1, 0, ""}, paper = {0, 0, -1, 0, ""};
+  watch all = {0, 0, -1, 0, "", ""}, third = {0, 0, 3, 0, "", ""}, at_once = {0, 0, 0, 0, "", ""};
+  watch thorough = {0, 0, -1, 0, "", ""}, paper = {0, 0, -1, 0, "", ""};
   emtr_result* result;
   all.in_all = third.in_all = at_once.in_all = thorough.in_all = in_all;
   result = run(pair, NULL, on_progress, &all);
@@ -230,6 +230,31 @@ static void progress_and_stop(const bumpy_pair* pair, const emtr_result* whole) 
   result = run(pair, NULL, on_progress, &at_once);
   CHECK(at_once.calls == 1 && result->reason == EMTR_REASON_INTERRUPTED && !result->registered);
   CHECK(isnan(result->transformation[0]) && isnan(result->transformation[15]));
+  emtr_result_free(result);
+}
+
+static void time_limit(const bumpy_pair* pair, const emtr_result* whole) {
+  emtr_settings settings = preset(NULL);
+  emtr_result* result;
+  settings.time_limit = 1e-9;
+  result = run(pair, &settings, NULL, NULL);
+  CHECK(result->reason == EMTR_REASON_TIME_LIMIT && !result->registered);
+  CHECK(isnan(result->transformation[0]) && isnan(result->confidence));
+  emtr_result_free(result);
+  settings.time_limit = 1e9;
+  result = run(pair, &settings, NULL, NULL);
+  same_pose(whole, result);
+  emtr_result_free(result);
+}
+
+/* Rounding upwards is what the caller wants for itself, and has again afterwards. */
+static void rounding(const bumpy_pair* pair, const emtr_result* whole) {
+  emtr_result* result;
+  CHECK(fesetround(FE_UPWARD) == 0);
+  result = run(pair, NULL, NULL, NULL);
+  CHECK(fegetround() == FE_UPWARD);
+  fesetround(FE_TONEAREST);
+  same_pose(whole, result);
   emtr_result_free(result);
 }
 
@@ -300,6 +325,8 @@ int main(void) {
   layout_of_the_input_does_not_matter(&pair, whole);
   points_that_are_not_finite_are_dropped(pair);
   progress_and_stop(&pair, whole);
+  time_limit(&pair, whole);
+  rounding(&pair, whole);
   seed_threads_guess(&pair, whole);
   residuals(&pair, whole);
   emtr_result_free(whole);

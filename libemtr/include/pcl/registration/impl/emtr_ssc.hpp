@@ -376,6 +376,10 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointClo
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
+  // What has gone by counts; a limit of 0 would be none.
+  if (settings.time_limit > 0)
+    settings.time_limit = std::max(settings.time_limit - seconds.count(), 1e-9);
+
   detail::ProgressRelay relay(progress_);
   emtr_result* result = nullptr;
   const emtr_status status = emtr_register_prepared(prepared[0].get(), prepared[1].get(), &settings,

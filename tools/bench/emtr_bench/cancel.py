@@ -1,0 +1,106 @@
+"""Latency of a stop in each stage of a large registration."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from typing import Any
+
+STAGES = [
+    "frame",
+    "densities",
+    "features",
+    "matching",
+    "seeds",
+    "evolution",
+    "candidates",
+    "escalation",
+    "refinement",
+    "verdict",
+]
+
+
+def parse() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="tools/bench/cancel",
+        description="Registers two scans of a bumpy ball again and again, all stages by preset "
+        "thorough, and prints for each stage how long at most nobody was asked whether to stop, "
+        "how long at most a run took to end once it was told, and the sum of the two: what a user "
+        "waits at most after Ctrl-C. The machine should have nothing else to do.",
+    )
+    parser.add_argument("--points", type=int, default=10_000_000, help="of a cloud [%(default)s]")
+    parser.add_argument("--threads", type=int, default=0, help="0: as OpenMP would [%(default)s]")
+    parser.add_argument(
+        "--stops", type=int, default=3, help="in each stage, spread over it [%(default)s]"
+    )
+    parser.add_argument("--smoke", action="store_true", help="a small pair, one stop a stage")
+    arguments = parser.parse_args()
+    if arguments.smoke:
+        arguments.points, arguments.stops = 20_000, 1
+    return arguments
+
+
+class Watcher:
+    """A callback that notes the longest silence of each stage, and may stop the run."""
+
+    def __init__(self, stage: str = "", after: float = 0.0) -> None:
+        self.silence = dict.fromkeys(STAGES, 0.0)
+        self.asked = dict.fromkeys(STAGES, 0)
+        self.told = 0.0
+        self._stop_in, self._after = stage, after
+        self._entered = self._last = 0.0
+        self._stage = ""
+
+    def __call__(self, progress: Any) -> bool:
+        now = time.perf_counter()
+        if self._stage:
+            self.silence[self._stage] = max(self.silence[self._stage], now - self._last)
+        if progress.stage != self._stage:
+            self._stage, self._entered = progress.stage, now
+        self.asked[self._stage] += 1
+        stop = self._stage == self._stop_in and now - self._entered >= self._after
+        self._last = time.perf_counter()
+        if stop:
+            self.told = self._last
+        return stop
+
+
+def latencies(arguments: argparse.Namespace) -> int:
+    import pyemtr
+
+    from .bumpy_ball import ball_pair
+
+    pair = ball_pair(arguments.points, 1)
+
+    def register(watcher: Watcher) -> pyemtr.Result:
+        return pyemtr.register(
+            pair.source,
+            pair.target,
+            preset="thorough",
+            threads=arguments.threads,
+            callback=watcher,
+        )
+
+    whole = Watcher()
+    result = register(whole)
+    print(f"{arguments.points} points a cloud, {result.threads} threads, {result.kernel}, ms:\n")
+    print(f"{'stage':12} {'lasts':>8} {'asked':>6} {'silence':>8} {'to end':>8} {'in all':>8}")
+    worst = 0.0
+    for stage in STAGES:
+        to_end, silence = 0.0, whole.silence[stage]
+        for stop in range(arguments.stops):
+            watcher = Watcher(stage, result.timings[stage] * stop / arguments.stops)
+            stopped = register(watcher)
+            end = time.perf_counter()
+            if not watcher.told:  # the stage was over sooner this time
+                continue
+            if stopped.reason != "interrupted":
+                raise AssertionError(f"{stage}: told to stop, and the reason is {stopped.reason}")
+            to_end = max(to_end, end - watcher.told)
+            silence = max(silence, watcher.silence[stage])
+        worst = max(worst, silence + to_end)
+        row = (result.timings[stage], silence, to_end, silence + to_end)
+        lasts, *rest = (f"{1e3 * seconds:8.1f}" for seconds in row)
+        print(f"{stage:12} {lasts} {whole.asked[stage]:6} {' '.join(rest)}")
+    print(f"\nworst: {1e3 * worst:.1f} ms")
+    return 0
