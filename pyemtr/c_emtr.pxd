@@ -104,7 +104,7 @@ cdef extern from "emtr/emtr.h" nogil:
         double overlap_source, overlap_target, inlier_rmse, inlier_rmse_plane
         size_t points_source, points_target, dropped_source, dropped_target
         size_t sparse_source, sparse_target, dense_source, dense_target
-        size_t correspondences, tims, tims_pruned
+        size_t correspondences, correspondences_found, tims, tims_pruned
         uint64_t lookups_evaluation, lookups_switch, lookups_complement
         double scale
         double center_source[3]

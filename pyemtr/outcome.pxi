@@ -19,6 +19,7 @@ cdef dict fields(const emtr_result* r):
         "sparse_source": r.sparse_source, "sparse_target": r.sparse_target,
         "dense_source": r.dense_source, "dense_target": r.dense_target,
         "correspondences": r.correspondences,
+        "correspondences_found": r.correspondences_found,
         "tims": r.tims, "tims_pruned": r.tims_pruned,
         "lookups": {"evaluation": r.lookups_evaluation, "switch": r.lookups_switch,
                     "complement": r.lookups_complement},

@@ -39,8 +39,10 @@ class Result:
             spacing of the points.
         points_source, points_target: finite points; dropped_source, dropped_target: the others.
         sparse_source, sparse_target, dense_source, dense_target: points of the thinned clouds.
-        correspondences, tims, tims_pruned: feature matches, their pairs, and how many of these
-            can be an inlier of no rotation.
+        correspondences, correspondences_found: feature matches kept, max_correspondences at most,
+            and how many there were.
+        tims, tims_pruned: pairs of them, max_tims at most, and how many of these can be an inlier
+            of no rotation.
         lookups: nearest neighbour look-ups ("evaluation", "switch", "complement").
         scale, center_source, center_target: the normalised frame, p' = (p - center) / scale.
         leaf_sparse, leaf_dense, leaf_fine: edge of the thinning voxels, normalised frame.
@@ -94,6 +96,7 @@ class Result:
     dense_source: int
     dense_target: int
     correspondences: int
+    correspondences_found: int
     tims: int
     tims_pruned: int
     lookups: dict[str, int]

@@ -17,7 +17,7 @@ layout_of_c() {
 # -std to read C++17.
 clang_tidy() {
   run-clang-tidy -p "$BUILD" -j "$(nproc)" -quiet -extra-arg=-std=c++17 \
-    "^$ROOT/(libemtr/src|tools)/.*\\.cpp$" >"$BUILD/clang-tidy.log" 2>&1 || {
+    "^$ROOT/(libemtr/src|tools/pcl_emtr)/.*\\.cpp$" >"$BUILD/clang-tidy.log" 2>&1 || {
     grep -E -A 4 '(warning|error):' "$BUILD/clang-tidy.log" || tail -n 20 "$BUILD/clang-tidy.log"
     return 1
   }

@@ -38,6 +38,15 @@ namespace {
 
 thread_local std::string last_error;
 
+/// Keeps the message even when there is no memory for it: a short one needs none.
+void tell(const char* prefix, const char* text) noexcept {
+  try {
+    last_error = std::string(prefix) + text;
+  } catch (const std::bad_alloc&) {
+    last_error = "out of memory";
+  }
+}
+
 /// The default floating-point environment while it lives: rounding to nearest, and no denormal
 /// taken for zero, whatever the caller or a library of its that was built with -ffast-math has set.
 class DefaultArithmetic {
@@ -63,19 +72,19 @@ emtr_status guarded(Body body) noexcept {
     body();
     return EMTR_OK;
   } catch (const emtr::Error& error) {
-    last_error = error.what();
+    tell("", error.what());
     return error.status();
   } catch (const std::bad_alloc&) {
-    last_error = "out of memory";
+    tell("", "out of memory");
     return EMTR_ERROR_MEMORY;
   } catch (const std::length_error&) {
-    last_error = "out of memory";
+    tell("", "out of memory");
     return EMTR_ERROR_MEMORY;
   } catch (const std::exception& error) {
-    last_error = std::string("unexpected: ") + error.what();
+    tell("unexpected: ", error.what());
     return EMTR_ERROR_INTERNAL;
   } catch (...) {
-    last_error = "the progress function threw what is no std::exception";
+    tell("", "the progress function threw what is no std::exception");
     return EMTR_ERROR_INTERNAL;
   }
 }

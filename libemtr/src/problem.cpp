@@ -123,6 +123,7 @@ void Problem::take_handed(const Settings& given) {
                                            static_cast<std::size_t>(settings.max_correspondences));
     handed = std::make_unique<FeatureClouds>(std::move(matches.clouds));
     correspondences = std::move(matches.correspondences);
+    correspondences_found = given.correspondence_count;
   } else if (features) {
     handed = std::make_unique<FeatureClouds>(handed_features(pair, densities.leaf_dense));
   }
@@ -149,11 +150,11 @@ void Problem::describe_dense() {
 void Problem::match_features() {
   const auto most = static_cast<std::size_t>(settings.max_correspondences);
   if (!handed)
-    correspondences =
-        match(source_features, target_features, most, kernels, thread_count(settings));
+    correspondences = match(source_features, target_features, most, kernels, thread_count(settings),
+                            &correspondences_found);
   else if (handed->source.dimension)
-    correspondences =
-        match(handed->source.view(), handed->target.view(), most, kernels, thread_count(settings));
+    correspondences = match(handed->source.view(), handed->target.view(), most, kernels,
+                            thread_count(settings), &correspondences_found);
   const auto resolution_of = [this](const Cloud& cloud) {
     return mean_resolution(cloud, densities.leaf_dense, kernels, thread_count(settings));
   };

@@ -62,6 +62,7 @@ class Problem {
     return handed ? handed->target.points : densities.target_dense;
   }
   std::vector<Correspondence> correspondences;  ///< rows of matched_source(), matched_target()
+  std::size_t correspondences_found = 0;        ///< of which the best are kept
   std::vector<Seed> seeds;
   double tau = 0;
   Tims tims;

@@ -108,6 +108,7 @@ void Registration::describe_problem() {
   r.dense_source = d.source_dense.size();
   r.dense_target = d.target_dense.size();
   r.correspondences = problem_.correspondences.size();
+  r.correspondences_found = problem_.correspondences_found;
   r.tims = problem_.tims.formed();
   r.tims_pruned = problem_.tims.pruned;
   r.seeds = problem_.seeds.size();

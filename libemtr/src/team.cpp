@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -41,6 +42,7 @@ class Team::Helpers {
     } catch (const std::system_error&) {
       // The system has no more threads to give: those that there are do all of the work, to the
       // same result.
+    } catch (const std::bad_alloc&) {  // the same; and those that run must be joined
     }
   }
   ~Helpers() {

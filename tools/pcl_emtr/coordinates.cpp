@@ -61,7 +61,10 @@ void require_coordinates(const CloudFile& cloud) {
   VectorField field{};
   if (find_vector(cloud.blob, kCoordinates, field)) return;
   std::string names;
-  for (const auto& found : cloud.blob.fields) names += (names.empty() ? "" : ", ") + found.name;
+  for (const auto& found : cloud.blob.fields) {
+    if (!names.empty()) names += ", ";
+    names += found.name;
+  }
   for (const auto& name : kCoordinates)
     if (pcl::getFieldIndex(cloud.blob, name) < 0)
       throw FileFailure(cloud.path, "has no field '" + name + "', only " + names);

@@ -75,6 +75,7 @@ std::uint64_t check_pcd(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   const PcdHeader header(in, path);
   const Layout layout = layout_of(header, path);
+  if (layout.bytes == 0) throw FileFailure(path, "its PCD header has no FIELDS");
   header.viewpoint();  // is well formed, or there is none
   const std::uint64_t height = header.has("HEIGHT") ? header.whole("HEIGHT") : 1;
   const std::uint64_t points = header.whole("WIDTH") * height;

@@ -60,6 +60,14 @@ void check_no_list(const PlyElement& vertex, const std::string& path) {
           path, "its vertices have a list '" + property.name + "', expected single values only");
 }
 
+/// PCL cannot read them, and does not say why.
+void check_no_twins(const PlyElement& vertex, const std::string& path) {
+  for (auto one = vertex.properties.begin(); one != vertex.properties.end(); ++one)
+    for (auto other = vertex.properties.begin(); other != one; ++other)
+      if (one->name == other->name)
+        throw FileFailure(path, "its vertices have the property '" + one->name + "' twice");
+}
+
 }  // namespace
 
 std::uint64_t check_ply(const std::string& path) {
@@ -68,6 +76,7 @@ std::uint64_t check_ply(const std::string& path) {
   const PlyElement* vertex = header.find("vertex");
   if (!vertex || vertex->count == 0) throw FileFailure(path, "holds no points (PLY vertices)");
   check_no_list(*vertex, path);
+  check_no_twins(*vertex, path);
   check_colors(*vertex, path);
   check_size(header, path, bytes_left(in));
   check_grid(in, header, path, vertex->count);

@@ -92,14 +92,23 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["alternatives"] = alternatives_json(r);
   out["refinement"] = refinement_json(r);
   out["residuals"] = options.residuals ? residuals_json(residuals) : Json();
-  out["counts"] = {{"read_source", source.size()},         {"read_target", target.size()},
-                   {"points_source", r.points_source},     {"points_target", r.points_target},
-                   {"dropped_source", r.dropped_source},   {"dropped_target", r.dropped_target},
-                   {"sparse_source", r.sparse_source},     {"sparse_target", r.sparse_target},
-                   {"dense_source", r.dense_source},       {"dense_target", r.dense_target},
-                   {"correspondences", r.correspondences}, {"tims", r.tims},
-                   {"tims_pruned", r.tims_pruned},         {"seeds", r.seeds},
-                   {"candidates", r.candidates},           {"iterations", r.iterations}};
+  out["counts"] = {{"read_source", source.size()},
+                   {"read_target", target.size()},
+                   {"points_source", r.points_source},
+                   {"points_target", r.points_target},
+                   {"dropped_source", r.dropped_source},
+                   {"dropped_target", r.dropped_target},
+                   {"sparse_source", r.sparse_source},
+                   {"sparse_target", r.sparse_target},
+                   {"dense_source", r.dense_source},
+                   {"dense_target", r.dense_target},
+                   {"correspondences", r.correspondences},
+                   {"correspondences_found", r.correspondences_found},
+                   {"tims", r.tims},
+                   {"tims_pruned", r.tims_pruned},
+                   {"seeds", r.seeds},
+                   {"candidates", r.candidates},
+                   {"iterations", r.iterations}};
   out["lookups"] = {{"evaluation", r.lookups_evaluation},
                     {"switch", r.lookups_switch},
                     {"complement", r.lookups_complement},

@@ -95,7 +95,9 @@ void Talk::registered(const emtr_result& r, const emtr_settings& settings) const
          settings.has_viewpoint_source ? settings.viewpoint_source : nullptr);
   counts("target", r.points_target, r.dropped_target, 0, r.dense_target,
          settings.has_viewpoint_target ? settings.viewpoint_target : nullptr);
-  INFO("  %zu correspondences, %zu TIMs (%zu pruned), ", r.correspondences, r.tims, r.tims_pruned);
+  INFO("  %zu correspondences", r.correspondences);
+  if (r.correspondences < r.correspondences_found) INFO(" of %zu", r.correspondences_found);
+  INFO(", %zu TIMs (%zu pruned), ", r.tims, r.tims_pruned);
   if (r.seeds) INFO("%zu %s, ", r.seeds, r.seeds == 1 ? "seed" : "seeds");
   if (r.candidates) INFO("%zu %s, ", r.candidates, r.candidates == 1 ? "candidate" : "candidates");
   INFO("%" PRIu64 " look-ups, %d threads, %s\n",

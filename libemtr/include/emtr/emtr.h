@@ -43,8 +43,8 @@ typedef enum emtr_status {
   EMTR_ERROR_ARGUMENT = 1, /* a null pointer, a wrong size field, a bad stride or type */
   EMTR_ERROR_SETTING = 2,  /* an unknown setting, a value out of range, a contradiction */
   EMTR_ERROR_CLOUD = 3,    /* a cloud that cannot be registered: too few points, no extent */
-  EMTR_ERROR_MEMORY =
-      4, /* an allocation failed (in the parallel loops of PCL it ends the process) */
+  /* an allocation failed, on whatever thread */
+  EMTR_ERROR_MEMORY = 4,
   EMTR_ERROR_INTERNAL = 5 /* a defect of the library or of what it is built on */
 } emtr_status;
 
@@ -347,7 +347,7 @@ typedef struct emtr_result {
   size_t dense_source;
   size_t dense_target;
   size_t correspondences;
-  size_t tims;        /* formed, of which */
+  size_t tims;        /* formed, max_tims at most, of which */
   size_t tims_pruned; /* can be no inlier of any rotation and need no work */
 
   /* nearest neighbour look-ups, the paper's cost */
@@ -412,6 +412,8 @@ typedef struct emtr_result {
   double seconds_candidates;
   double seconds_escalation;
   double seconds_refinement;
+
+  size_t correspondences_found; /* before max_correspondences of them were kept */
 } emtr_result;
 
 EMTR_API void emtr_result_free(emtr_result* result);

@@ -125,7 +125,8 @@ struct BothWays {
 
   /// Pairs among the first k of each other, the least `order(squared, row, column)` first.
   template <class Order>
-  std::vector<Correspondence> mutual(std::size_t k, std::size_t most, const Order& order) const {
+  std::vector<Correspondence> mutual(std::size_t k, std::size_t most, const Order& order,
+                                     std::size_t* count = nullptr) const {
     std::vector<std::tuple<float, std::int32_t, std::int32_t>> found;
     for (std::size_t i = 0; i < forward.n; ++i)
       for (std::size_t j = 0; j < k; ++j) {
@@ -136,6 +137,7 @@ struct BothWays {
           found.emplace_back(order(forward.squared[j * forward.n + i], i, column), source[i],
                              target[column]);
       }
+    if (count) *count = found.size();
     std::sort(found.begin(), found.end());
     found.resize(std::min(found.size(), most));
     std::vector<Correspondence> out;
@@ -149,10 +151,11 @@ struct BothWays {
 
 std::vector<Correspondence> match_mutual(const DescriptorRows& source, const DescriptorRows& target,
                                          int k, std::size_t most, const Kernels& kernels,
-                                         int threads) {
+                                         int threads, std::size_t* found) {
   const auto wanted = static_cast<std::size_t>(std::max(k, 0));
   const BothWays near(source, target, wanted, kernels, threads);
-  return near.mutual(wanted, most, [](float squared, std::size_t, std::size_t) { return squared; });
+  return near.mutual(
+      wanted, most, [](float squared, std::size_t, std::size_t) { return squared; }, found);
 }
 
 std::vector<Correspondence> match_distinct(const DescriptorRows& source,

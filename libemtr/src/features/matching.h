@@ -30,10 +30,10 @@ struct DescriptorRows {
 /// Pairs of which each point is among the k nearest of the other by descriptor (k = 1: mutual
 /// nearest neighbours; both of one dimension), no ratio test; of points at one distance the
 /// smallest row is the nearer. The `most` pairs with the smallest distance between descriptors, in
-/// that order.
+/// that order; `found`, unless null, gets how many there were.
 std::vector<Correspondence> match_mutual(const DescriptorRows& source, const DescriptorRows& target,
                                          int k, std::size_t most, const Kernels& kernels,
-                                         int threads);
+                                         int threads, std::size_t* found = nullptr);
 
 /// The same pairs, those first that stand out: by the distance between the descriptors over that to
 /// the tenth nearest, of both points. On planes and the like, of which a scan is full, descriptors
@@ -44,8 +44,9 @@ std::vector<Correspondence> match_distinct(const DescriptorRows& source,
 
 /// Mutual nearest neighbours.
 inline std::vector<Correspondence> match(const DescriptorRows& source, const DescriptorRows& target,
-                                         std::size_t most, const Kernels& kernels, int threads) {
-  return match_mutual(source, target, 1, most, kernels, threads);
+                                         std::size_t most, const Kernels& kernels, int threads,
+                                         std::size_t* found = nullptr) {
+  return match_mutual(source, target, 1, most, kernels, threads, found);
 }
 
 }  // namespace emtr

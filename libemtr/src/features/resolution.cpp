@@ -30,21 +30,54 @@ float to_nearest_other(std::uint32_t i, const CellGrid& grid, NeighborList& list
   return squared;
 }
 
+class Tree {
+ public:
+  explicit Tree(const Cloud& cloud) : points_(to_pcl(cloud)) { tree_.setInputCloud(points_); }
+
+  float squared_to_other(std::size_t i) {
+    look(i, 2);
+    return squared_[1];
+  }
+
+  /// 0 when all points are at one place.
+  float squared_to_other_place(std::size_t i) {
+    for (std::size_t k = 2;; k = std::min(2 * k, points_->size())) {
+      look(i, k);
+      for (const float squared : squared_)
+        if (squared > 0) return squared;
+      if (k == points_->size()) return 0;
+    }
+  }
+
+ private:
+  void look(std::size_t i, std::size_t k) {
+    tree_.nearestKSearch((*points_)[i], static_cast<unsigned>(k), index_, squared_);
+  }
+
+  pcl::PointCloud<pcl::PointXYZ>::Ptr points_;
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree_;
+  pcl::Indices index_;
+  std::vector<float> squared_;
+};
+
 }  // namespace
 
-double mean_resolution(const Cloud& cloud, std::size_t most) {
-  const auto points = to_pcl(cloud);
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  tree.setInputCloud(points);
-  pcl::Indices index(2);
-  std::vector<float> squared(2);
+double mean_resolution(const Cloud& cloud) {
+  Tree tree(cloud);
+  double sum = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    sum += std::sqrt(static_cast<double>(tree.squared_to_other(i)));
+  return sum / static_cast<double>(cloud.size());
+}
+
+double mean_spacing(const Cloud& cloud, std::size_t most) {
+  Tree tree(cloud);
   const std::size_t step = std::max<std::size_t>(1, cloud.size() / most);
   double sum = 0;
   std::size_t asked = 0;
   for (std::size_t i = 0; i < cloud.size(); i += step, ++asked) {
     poll_each(asked, 6);
-    tree.nearestKSearch((*points)[i], 2, index, squared);
-    sum += std::sqrt(static_cast<double>(squared[1]));
+    sum += std::sqrt(static_cast<double>(tree.squared_to_other_place(i)));
   }
   return sum / static_cast<double>(asked);
 }

@@ -97,8 +97,8 @@ class CandidateGrid final : public Neighbors {
                      z = static_cast<std::size_t>(k - r[2].low);
           const float near = r[1].nearest[y] + r[2].nearest[z];
           const float far = r[1].farthest[y] + r[2].farthest[z];
-          const auto first = static_cast<std::size_t>(
-              (k * view_.cells.size[1] + j) * view_.cells.size[0] + r[0].low);
+          const std::ptrdiff_t row = std::ptrdiff_t{k} * view_.cells.size[1] + j;
+          const auto first = static_cast<std::size_t>(row * view_.cells.size[0] + r[0].low);
           for (std::size_t x = 0; x < r[0].nearest.size(); ++x)
             if (!visit(first + x, n, near + r[0].nearest[x], far + r[0].farthest[x])) return false;
         }

@@ -22,9 +22,9 @@ void move(const Kernels& kernels, const Cloud& points, const Rigid& pose, DepthM
 
 Rigid after(const Rigid& a, const Rigid& b) {
   Rigid out;
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     const double* row = a.R + 3 * i;
-    for (int j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < 3; ++j)
       out.R[3 * i + j] = row[0] * b.R[j] + row[1] * b.R[3 + j] + row[2] * b.R[6 + j];
     out.t[i] = row[0] * b.t[0] + row[1] * b.t[1] + row[2] * b.t[2] + a.t[i];
   }

@@ -144,7 +144,7 @@ std::vector<Row> ball(const Lattice& lattice, double reach) {
 }
 
 Eigen::Vector3f normal_of(const Moments& m) {
-  const Eigen::Vector3f none = Eigen::Vector3f::Constant(kNone);
+  Eigen::Vector3f none = Eigen::Vector3f::Constant(kNone);
   if (m[0] < kLeastForNormal) return none;
   const Eigen::Vector3d mean = Eigen::Vector3d(m[1], m[2], m[3]) / m[0];
   Eigen::Matrix3d scatter;

@@ -16,6 +16,19 @@ TEST(Resolution, IsTheMeanDistanceToTheNearestOther) {
                    (1.0 + 1.0 + 2.0) / 3);
 }
 
+TEST(Spacing, IsTheMeanDistanceToTheNearestOtherPlace) {
+  emtr::Cloud cloud;
+  for (const float x : {0.0f, 1.0f, 3.0f}) emtr_test::push(cloud, x, 0, 0);
+  EXPECT_DOUBLE_EQ(emtr::mean_spacing(cloud, 1000), (1.0 + 1.0 + 2.0) / 3);
+  for (int copy = 0; copy < 5; ++copy)
+    for (const float x : {0.0f, 1.0f, 3.0f}) emtr_test::push(cloud, x, 0, 0);
+  EXPECT_DOUBLE_EQ(emtr::mean_spacing(cloud, 1000), (1.0 + 1.0 + 2.0) / 3);
+  EXPECT_DOUBLE_EQ(emtr::mean_spacing(cloud, 9), (1.0 + 1.0 + 2.0) / 3);  // every other
+  emtr::Cloud one_place;
+  for (int copy = 0; copy < 12; ++copy) emtr_test::push(one_place, 1, 2, 3);
+  EXPECT_DOUBLE_EQ(emtr::mean_spacing(one_place, 1000), 0);
+}
+
 TEST(Resolution, IsTheSameBitsOnTheGridAndInTheTree) {
   const emtr_test::Pair pair(4);
   const emtr::Densities d =

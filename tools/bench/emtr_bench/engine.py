@@ -16,7 +16,8 @@ QUALITY = (
 )  # fmt: skip
 COUNTS = (
     "points_source", "points_target", "dropped_source", "dropped_target", "sparse_source",
-    "sparse_target", "dense_source", "dense_target", "correspondences", "tims", "tims_pruned",
+    "sparse_target", "dense_source", "dense_target", "correspondences",
+    "correspondences_found", "tims", "tims_pruned",
     "iterations", "threads", "seeds", "candidates", "escalated", "refined", "free_directions",
 )  # fmt: skip
 

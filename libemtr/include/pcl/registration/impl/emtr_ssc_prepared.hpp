@@ -58,7 +58,8 @@ class PreparedInput {
     if (packed_.size() != 3 * cloud.size()) return false;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       const float p[3] = {cloud[i].x, cloud[i].y, cloud[i].z};
-      if (std::memcmp(p, &packed_[3 * i], sizeof p) != 0) return false;  // a NaN is itself
+      // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bit by bit, a NaN is itself
+      if (std::memcmp(p, &packed_[3 * i], sizeof p) != 0) return false;
     }
     return true;
   }
