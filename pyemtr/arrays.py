@@ -97,6 +97,11 @@ def as_vector(vector: Any, name: str, length: int) -> Floats:
     return _shaped(vector, name, (length,))
 
 
+def as_bounds(bounds: Any, name: str) -> Floats:
+    """A lower and an upper corner as contiguous float64 (2, 3); raises as :func:`as_particles`."""
+    return _shaped(bounds, name, (2, 3))
+
+
 def as_transformation(matrix: Any, name: str) -> Floats:
     """A 4x4 matrix as contiguous float64; raises as :func:`as_particles`."""
     return _shaped(matrix, name, (4, 4))

@@ -23,6 +23,11 @@ cdef extern from "emtr/emtr.h" nogil:
         double viewpoint_source[3]
         int32_t has_viewpoint_target
         double viewpoint_target[3]
+        int32_t has_axis
+        double axis[3]
+        int32_t has_translation_bounds
+        double translation_minimum[3]
+        double translation_maximum[3]
         const int32_t* correspondences
         size_t correspondence_count
 

@@ -12,7 +12,7 @@ from typing import Any, Union
 import numpy as np
 
 from . import _emtr
-from .arrays import as_correspondences, as_transformation, as_vector
+from .arrays import as_bounds, as_correspondences, as_transformation, as_vector
 
 Value = Union[int, float, bool, str]
 
@@ -23,7 +23,8 @@ class Setting:
     of preset "default".
 
     ``type`` is "integer", "real", "switch" (False or True) or "choice" (one of ``choices``).
-    ``part`` is that of the method it belongs to; lengths are never in the cloud's own unit.
+    ``part`` is that of the method it belongs to; but for the part "priors", lengths are never in
+    the cloud's own unit.
     """
 
     name: str
@@ -61,13 +62,15 @@ def make_settings(
     changes: Mapping[str, Value],
     source_viewpoint: Any = None,
     target_viewpoint: Any = None,
+    axis: Any = None,
+    translation_bounds: Any = None,
 ) -> _emtr.Settings:
     """A preset with the changes made; what is None stays unknown.
 
     Raises:
         TypeError: an unknown setting (close names are listed), or a value of a wrong type.
         ValueError: a value out of range, an unknown preset, a guess that is not (4, 4), a
-            viewpoint that is not (3,) or not finite.
+            viewpoint or axis that is not (3,) or not finite, bounds that are not (2, 3).
     """
     if not isinstance(preset, str):
         raise TypeError(f"preset: a name is expected, got {type(preset).__name__}")
@@ -85,6 +88,10 @@ def make_settings(
         chosen.viewpoint_source = as_vector(source_viewpoint, "source_viewpoint", 3)
     if target_viewpoint is not None:
         chosen.viewpoint_target = as_vector(target_viewpoint, "target_viewpoint", 3)
+    if axis is not None:
+        chosen.axis = as_vector(axis, "axis", 3)
+    if translation_bounds is not None:
+        chosen.translation_bounds = as_bounds(translation_bounds, "translation_bounds")
     return chosen
 
 
@@ -110,6 +117,8 @@ def settings_used(chosen: _emtr.Settings) -> dict[str, Any]:
     used["guess"] = None if guess is None else [guess[i : i + 4] for i in range(0, 16, 4)]
     used["source_viewpoint"] = chosen.viewpoint_source
     used["target_viewpoint"] = chosen.viewpoint_target
+    used["axis"] = chosen.axis
+    used["translation_bounds"] = chosen.translation_bounds
     return used
 
 
@@ -165,6 +174,8 @@ _OWN = [
     "guess",
     "source_viewpoint",
     "target_viewpoint",
+    "axis",
+    "translation_bounds",
     "source_normals",
     "target_normals",
     "source_features",

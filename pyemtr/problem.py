@@ -41,6 +41,8 @@ class Problem(ProblemViews):
         guess: Any = None,
         source_viewpoint: Any = None,
         target_viewpoint: Any = None,
+        axis: Any = None,
+        translation_bounds: Any = None,
         source_normals: Any = None,
         target_normals: Any = None,
         source_features: Any = None,
@@ -49,7 +51,15 @@ class Problem(ProblemViews):
         **settings: Value,
     ) -> None:
         chosen = make_settings(
-            seed, threads, preset, guess, settings, source_viewpoint, target_viewpoint
+            seed,
+            threads,
+            preset,
+            guess,
+            settings,
+            source_viewpoint,
+            target_viewpoint,
+            axis,
+            translation_bounds,
         )
         self.settings: dict[str, Any] = settings_used(chosen)
         keep = take_correspondences(chosen, correspondences)

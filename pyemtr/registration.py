@@ -21,6 +21,8 @@ def register(
     guess: Any = None,
     source_viewpoint: Any = None,
     target_viewpoint: Any = None,
+    axis: Any = None,
+    translation_bounds: Any = None,
     source_normals: Any = None,
     target_normals: Any = None,
     source_features: Any = None,
@@ -45,11 +47,18 @@ def register(
         threads: 0 for as many as OpenMP would use; the result does not depend on it.
         preset: one of :func:`pyemtr.presets`; "paper" is the method as published.
         guess: (4, 4), source into target, in the clouds' unit: tried as one hypothesis, not a
-            place that the search stays near.
+            place that the search stays near, unless the settings ``guess_rotation`` (degrees) or
+            ``guess_translation`` (the clouds' unit, of the source's centroid) say how near.
         source_viewpoint: (3,), where the sensor stood that took the source, in the source's own
             frame and unit. What it saw tells candidates apart: no surface is in front of it.
             None when not known; it is then estimated where it is needed.
         target_viewpoint: (3,), likewise of the target, in the target's frame and unit.
+        axis: (3,), a direction that is the same in both clouds' frames, up for scanners that know
+            where down is: only rotations about it. Settings: ``axis_tilt``,
+            ``axis_angle_minimum``, ``axis_angle_maximum`` (degrees).
+        translation_bounds: (2, 3), least and largest translation of the resulting matrix, in the
+            clouds' unit. These priors and the setting ``maximum_rotation`` (degrees) hold for the
+            transformation and the alternatives, all at once.
         source_normals: (N, 3), normals of the source's points, used instead of estimating them. Of
             any length; NaN or zero where a point has none. Where both clouds have some, the side
             that they point to counts. What an object has in ``.normals`` is not used by itself.
@@ -76,12 +85,21 @@ def register(
         TypeError: an argument of a wrong type, an unknown setting.
         ValueError: a wrong shape, a value out of range, a correspondence of points that there are
             not or that are not finite, a cloud that cannot be registered
-            (fewer than 10 finite points, all on one point or one line).
+            (fewer than 10 finite points, all on one point or one line), priors that
+            contradict each other.
         MemoryError: an allocation failed.
         RuntimeError: a defect of the library.
     """
     chosen = make_settings(
-        seed, threads, preset, guess, settings, source_viewpoint, target_viewpoint
+        seed,
+        threads,
+        preset,
+        guess,
+        settings,
+        source_viewpoint,
+        target_viewpoint,
+        axis,
+        translation_bounds,
     )
     keep = take_correspondences(chosen, correspondences)
     raw = _emtr.register(

@@ -91,6 +91,34 @@ cdef class Settings:
         self.values.has_viewpoint_target = 1
 
     @property
+    def axis(self):
+        """3 numbers, or None."""
+        if not self.values.has_axis:
+            return None
+        return listed(self.values.axis, 3)
+
+    @axis.setter
+    def axis(self, const double[::1] value):
+        place(value, self.values.axis)
+        self.values.has_axis = 1
+
+    @property
+    def translation_bounds(self):
+        """Twice 3 numbers, the least and the largest translation, or None."""
+        if not self.values.has_translation_bounds:
+            return None
+        return [listed(self.values.translation_minimum, 3),
+                listed(self.values.translation_maximum, 3)]
+
+    @translation_bounds.setter
+    def translation_bounds(self, const double[:, ::1] value):
+        if value.shape[0] != 2:
+            raise ValueError("translation_bounds: 2 rows are expected")
+        place(value[0], self.values.translation_minimum)
+        place(value[1], self.values.translation_maximum)
+        self.values.has_translation_bounds = 1
+
+    @property
     def correspondences(self):
         """How many, or None."""
         return None if self.values.correspondences == NULL else self.values.correspondence_count
@@ -110,7 +138,7 @@ cdef list listed(const double* values, size_t count):
 
 cdef int place(const double[::1] value, double* point) except -1:
     if value.shape[0] != 3:
-        raise ValueError("a viewpoint: 3 numbers are expected")
+        raise ValueError("a vector: 3 numbers are expected")
     for i in range(3):
         point[i] = value[i]
     return 0

@@ -8,6 +8,7 @@
 #include "features/kdtree_neighbors.h"
 #include "features/resolution.h"
 #include "frame/handed_matches.h"
+#include "priors/make_prior.h"
 #include "ranking/given_viewpoints.h"
 #include "registration.h"
 #include "stopwatch.h"
@@ -78,6 +79,7 @@ void Problem::prepare(const Normalise& normalised, const Settings& given, Watch&
   {
     const Timed timed(seconds_.frame);
     pair = normalised();
+    prior = make_prior(settings, frame);
   }
   dropped_source = pair.prepared_source->dropped;
   dropped_target = pair.prepared_target->dropped;

@@ -11,6 +11,7 @@
 #include "features/tims.h"
 #include "frame/densities.h"
 #include "frame/handed_features.h"
+#include "priors/prior.h"
 #include "result.h"
 #include "seeds/seeds.h"
 #include "tasks/task_alpha.h"
@@ -50,6 +51,7 @@ class Problem {
   std::size_t dropped_source = 0, dropped_target = 0, points_source = 0, points_target = 0;
   NormalisedPair pair;
   const Frame& frame = pair.frame;
+  PriorPtr prior;  ///< null when every pose is admissible
   Densities densities;
   Features source_features, target_features;  ///< of the dense clouds; no descriptors with `handed`
   std::unique_ptr<FeatureClouds> handed;      ///< null when the dense clouds are matched

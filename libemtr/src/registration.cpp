@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "error.h"
+#include "priors/make_prior.h"
 #include "stopwatch.h"
 #include "verdict/agreement.h"
 #include "verdict/verdict.h"
@@ -18,6 +18,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 Registration::Registration(const Problem& problem, Watch& watch)
     : problem_(problem),
       settings_(problem.settings),
+      prior_(problem.prior.get()),
       watch_(watch),
       result_(std::make_unique<Result>()),
       stopped_(problem.stopped()) {}
@@ -136,11 +137,8 @@ void Registration::describe_problem() {
 
 std::vector<Rigid> Registration::guess() const {
   if (!settings_.has_guess) return {};
-  const Rigid pose = problem_.frame.to_normalised(from_matrix(settings_.guess));
-  if (!is_near(pose.t, 3))
-    throw Error(EMTR_ERROR_SETTING,
-                "setting 'guess' moves the source a million radii past the target");
-  return {pose};
+  const Rigid pose = normalised_guess(settings_, problem_.frame);
+  return {prior_ ? prior_->project(pose) : pose};
 }
 
 std::vector<Rigid> Registration::starts() const {
@@ -156,10 +154,11 @@ std::vector<Rigid> Registration::starts() const {
 void Registration::evolve() {
   if (problem_.surfaces) {
     search_ = std::make_unique<CandidateSearch>(problem_.pair, *problem_.surfaces, settings_,
-                                                problem_.kernels);
+                                                problem_.kernels, prior_);
     shortlist_ = search_->shortlist(problem_.seeds);
   } else {
     for (const Seed& seed : problem_.seeds) shortlist_.push_back(seed.pose);
+    shortlist_ = admissible(shortlist_, prior_);
   }
   evolution_ =
       emtr::evolve(*problem_.alpha, *problem_.beta, *problem_.complement, settings_, starts(),
@@ -202,7 +201,7 @@ const FineSurfaces& Registration::fine() {
 }
 
 void Registration::refine() {
-  refined_ = emtr::refine(fine(), *answer_, settings_, problem_.kernels);
+  refined_ = emtr::refine(fine(), *answer_, settings_, problem_.kernels, prior_);
   answer_ = refined_.pose;
 }
 
@@ -237,7 +236,7 @@ void Registration::conclude_candidates() {
   r.score_gap = standing_.gap;
   r.confidence = standing_.confidence;
   if (!stopped_) {
-    r.reason = reason(best, standing_, refined_.spectrum.free > 0 && refined_.succeeded,
+    r.reason = reason(best, standing_, refined_.slides > 0 && refined_.succeeded,
                       problem_.correspondences.size(), settings_);
     r.registered = r.reason == EMTR_REASON_REGISTERED;
   }

@@ -38,6 +38,7 @@ class Registration {
 
   const Problem& problem_;
   const Settings& settings_;
+  const Prior* prior_;  ///< null when every pose is admissible
   Watch& watch_;
   std::unique_ptr<Result> result_;
   std::unique_ptr<CandidateSearch> search_;  ///< null when none are asked for

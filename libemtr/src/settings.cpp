@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "error.h"
+#include "priors/make_prior.h"
 #include "rigid.h"
 #include "settings_table.h"
 
@@ -132,6 +133,7 @@ void validate(const Settings& settings) {
           "setting 'viewpoint_source' is not finite: expected a sensor position x, y, z");
   require(!settings.has_viewpoint_target || finite(settings.viewpoint_target),
           "setting 'viewpoint_target' is not finite: expected a sensor position x, y, z");
+  validate_priors(settings);
 }
 
 int thread_count(const Settings& settings) {

@@ -9,6 +9,9 @@ namespace emtr {
 
 using Settings = emtr_settings;
 
+constexpr double kAnyRotation = 180;  ///< degrees: no limit of an angle
+constexpr double kAnyShift = 1e12;    ///< of guess_translation: no limit
+
 /// One row of the table of settings: the public description and where the field lies.
 struct Setting {
   emtr_setting_info info;

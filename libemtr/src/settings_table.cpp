@@ -136,6 +136,19 @@ const std::vector<Setting>& setting_table() {
               ""),
       SETTING(minimum_confidence, Real, "", 0, 1, 0.5, "verdict",
               "with candidates: registered only when the confidence is at least this", ""),
+      SETTING(guess_rotation, Real, "degrees", 0, kAnyRotation, kAnyRotation, "priors",
+              "how far the rotation may be from the guess's; 180: any", ""),
+      SETTING(guess_translation, Real, "user's unit", 0, kAnyShift, kAnyShift, "priors",
+              "how far the source's centroid may end from where the guess puts it; 1e12: anywhere",
+              ""),
+      SETTING(axis_tilt, Real, "degrees", 0, 90, 0, "priors",
+              "how far the rotated axis may lean from itself", ""),
+      SETTING(axis_angle_minimum, Real, "degrees", -360, 360, -180, "priors",
+              "least angle about the axis", ""),
+      SETTING(axis_angle_maximum, Real, "degrees", -360, 360, 180, "priors",
+              "largest angle about the axis; a whole turn from the least: any", ""),
+      SETTING(maximum_rotation, Real, "degrees", 0, kAnyRotation, kAnyRotation, "priors",
+              "largest angle of the whole rotation; 180: any", ""),
   };
   return rows;
 }

@@ -6,6 +6,7 @@ import json
 import re
 import subprocess
 
+import numpy as np
 import pytest
 from conftest import ROOT
 
@@ -15,10 +16,16 @@ STRUCT = re.search(
     r"typedef struct emtr_settings \{(.*?)\} emtr_settings;", HEADER, re.DOTALL
 ).group(1)
 NAMES = re.findall(r"^  (?:uint64_t|int32_t|double) (?!has_)(\w+);", STRUCT, re.MULTILINE)
+NUMBER = r"(-?[\d.]+(?:e[+-]\d+)?)"
 PARTNERS = {
     "dense_points": ["--sparse-points", "50"],
     "feature_radius": ["--normal-radius", "1"],
     "complement_scale_start": ["--complement-scale-end", "0.001"],
+    "guess_rotation": ["--guess", "guess.txt"],
+    "guess_translation": ["--guess", "guess.txt"],
+    "axis_tilt": ["--axis", "0", "0", "1"],
+    "axis_angle_minimum": ["--axis", "0", "0", "1"],
+    "axis_angle_maximum": ["--axis", "0", "0", "1", "--axis-angle-minimum", "-360"],
 }
 
 
@@ -44,7 +51,7 @@ def test_help_gives_kind_and_default(entries, name):
     assert kind in ("N", "X", "NAME", "on|off")
     assert re.search(r"default \S+\]$", text)
     if kind in ("N", "X"):
-        assert re.search(r"[\d.]+ to [\d.]+; default", text)
+        assert re.search(rf"{NUMBER} to {NUMBER}; default", text)
 
 
 def other(name: str, kind: str, text: str) -> tuple[str, object]:
@@ -59,13 +66,14 @@ def other(name: str, kind: str, text: str) -> tuple[str, object]:
         names = re.search(r"\[(.*?);", text).group(1).replace(" or ", ", ").split(", ")
         choice = [word for word in names if f"default {word}]" not in text][-1]
         return choice, choice
-    least = re.search(r"([\d.]+) to [\d.]+; default", text).group(1)
-    return least, float(least)
+    least, most, usual = re.search(rf"{NUMBER} to {NUMBER}; default {NUMBER}\]", text).groups()
+    return (most, float(most)) if least == usual else (least, float(least))
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_report_repeats_what_was_set(run, small, tmp_path, entries, name):
     """If need be together with its partner's."""
+    np.savetxt(tmp_path / "guess.txt", np.eye(4))
     value, expected = other(name, *entries[name])
     quick = [] if name in ("iterations", "population") else ["--iterations", "1"]
     done = run(

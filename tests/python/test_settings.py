@@ -31,7 +31,13 @@ def test_every_setting_is_described():
 
 def test_the_defaults_are_the_default_preset():
     assert pyemtr.presets() == ["default", "fast", "thorough", "paper"]
-    own = {"guess": None, "source_viewpoint": None, "target_viewpoint": None}
+    own = {
+        "guess": None,
+        "source_viewpoint": None,
+        "target_viewpoint": None,
+        "axis": None,
+        "translation_bounds": None,
+    }
     assert used() == {**{name: setting.default for name, setting in ALL.items()}, **own}
     problem = pyemtr.Problem(CLOUD, CLOUD)
     assert problem.settings == used()

@@ -38,6 +38,9 @@ def how_sure(source: NDArray[np.float32], target: NDArray[np.float32]) -> list[f
         preset="thorough",
         source_viewpoint=(0, 0, 1.5),
         target_viewpoint=np.zeros(3),
+        axis=(0, 0, 1),
+        axis_tilt=2,
+        translation_bounds=(np.zeros(3), (1, 1, 0.5)),
     )
     deviation: NDArray[np.float64] = np.sqrt(np.diag(np.linalg.inv(result.information)))
     free: int = result.free_directions or 0

@@ -6,6 +6,7 @@
 #include "failure.h"
 #include "file_names.h"
 #include "help_text.h"
+#include "priors.h"
 #include "setting_options.h"
 #include "setting_text.h"
 #include "versions.h"
@@ -66,7 +67,8 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
            "write settings, versions, timings, counts, quality, verdict and T here as JSON")};
   CLI::Option* guess = file("--guess", options.guess,
                             "a text file of a 4x4 pose, source into target, to try among others; "
-                            "the search does not stay near it");
+                            "the search does not stay near it, unless --guess-rotation or "
+                            "--guess-translation say how near");
   CLI::Option* correspondences =
       file("--correspondences", options.correspondences.path,
            "a text file of matches to take instead of our own: a line for each, the rows of a "
@@ -87,6 +89,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
                wrapped("the slow path to compare with: --neighbors kdtree and --features pcl, so "
                        "every look-up of the fitness is one of pcl::KdTreeFLANN",
                        66));
+  const Priors priors(app);
   const SettingOptions settings(app);
 
   try {
@@ -105,6 +108,7 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   settings.apply(options.settings);
   if (reference) settings.use_reference(options.settings);
   viewpoints.apply(options.settings);
+  priors.apply(options.settings);
   options.viewpoints_from_files = viewpoints.from_files();
 
   if (options.residuals && options.aligned.empty() && options.report.empty())

@@ -62,6 +62,9 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["guess"] = s.has_guess ? rows<4>(s.guess) : Json();
   out["viewpoints"] = {{"source", position(s.has_viewpoint_source, s.viewpoint_source)},
                        {"target", position(s.has_viewpoint_target, s.viewpoint_target)}};
+  out["axis"] = position(s.has_axis, s.axis);
+  out["translation_bounds"] =
+      s.has_translation_bounds ? Json{s.translation_minimum, s.translation_maximum} : Json();
 
   out["handed_in"] = {{"normals", options.fields.normals},
                       {"features", file_name(options.fields.features)},

@@ -66,9 +66,10 @@ EMTR_API const char* emtr_kernel_name(void);
 
 /* ---- settings ----------------------------------------------------------------------- */
 
-/* Each field has the name that the shell and Python use. Lengths are never in the user's
- * unit: they are multiples of a leaf, of the resolution, or of the normalised frame, in
- * which both clouds are centred and the larger one has radius 1.
+/* Each field has the name that the shell and Python use. But for what is known beforehand, at
+ * the end, lengths are never in the user's unit: they are multiples of a leaf, of the
+ * resolution, or of the normalised frame, in which both clouds are centred and the larger one
+ * has radius 1.
  * emtr_setting_describe() gives unit, range, default and meaning of each. */
 typedef struct emtr_settings {
   size_t size;       /* sizeof(emtr_settings), set by emtr_settings_init() */
@@ -153,7 +154,8 @@ typedef struct emtr_settings {
   double minimum_confidence;
 
   /* a pose to try as one hypothesis among the particles (not a starting point that the
-   * search stays near); row-major, source into target, the user's unit */
+   * search stays near, unless guess_rotation or guess_translation say so); row-major, source into
+   * target, the user's unit. Where a prior does not admit it, the nearest pose that it admits */
   int32_t has_guess;
   double guess[16];
 
@@ -163,6 +165,27 @@ typedef struct emtr_settings {
   double viewpoint_source[3];
   int32_t has_viewpoint_target;
   double viewpoint_target[3];
+
+  /* priors: what is known of the pose. All that are given hold at once, for every pose that is
+   * looked at, and up to rounding for the transformation and the alternatives of the result. A
+   * set of priors that admits no pose is an EMTR_ERROR_SETTING that names them. Lengths here are
+   * in the user's unit. */
+  double guess_rotation;    /* degrees that the rotation may be from the guess's; 180: any */
+  double guess_translation; /* user's unit: how far the source's centroid may end from where the
+                               guess puts it; 1e12: anywhere */
+  int32_t has_axis;         /* 1: only rotations about the axis */
+  double axis[3];           /* its direction, the same in both clouds' frames, of any length > 0:
+                               up, say, for scanners that know where down is */
+  double axis_tilt;         /* degrees that the rotated axis may lean from itself */
+  /* degrees about the axis by the right hand; -180 to 180: any. Of a rotation that tilts the axis
+   * too, of the turn before the tilt */
+  double axis_angle_minimum;
+  double axis_angle_maximum;
+  int32_t has_translation_bounds;
+  /* of the translation in the result's matrix, user's unit: where the origin ends; finite */
+  double translation_minimum[3];
+  double translation_maximum[3];
+  double maximum_rotation; /* degrees of the whole rotation; 180: any */
 
   /* matches made elsewhere, in the place of our own: pairs (row of the source's points, row of the
    * target's), correspondence_count of them; null: none. At least 3 different ones, of finite
@@ -198,10 +221,10 @@ typedef struct emtr_setting_info {
   const char* choices; /* of a CHOICE: names by value, comma separated; else "" */
 } emtr_setting_info;
 
-/* The settings that have a name (all but size, guess, viewpoints and correspondences), in a fixed
- * order. Here and below `size` is sizeof of the info as the caller was compiled: later versions
- * append fields, and what this version does not know is set to zero. Less than this version's is an
- * error. */
+/* The settings that have a name (all but size, the vectors with their has_... and correspondences),
+ * in a fixed order. Here and below `size` is sizeof of the info as the caller was compiled: later
+ * versions append fields, and what this version does not know is set to zero. Less than this
+ * version's is an error. */
 EMTR_API size_t emtr_setting_count(void);
 EMTR_API emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info, size_t size);
 

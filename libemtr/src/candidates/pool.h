@@ -21,7 +21,9 @@ struct Candidate {
 /// polish each, then the fine score. Distinct ones, best first.
 class Pool {
  public:
-  explicit Pool(const Surfaces& surfaces) : surfaces_(surfaces) {}  ///< which must outlive the pool
+  /// Both must outlive the pool. With a prior all poses are to keep to it, and do so when polished.
+  explicit Pool(const Surfaces& surfaces, const Prior* prior = nullptr)
+      : surfaces_(surfaces), prior_(prior) {}
 
   /// The `most` poses with the best quick score that are no copies of each other, best first.
   std::vector<Rigid> shortlist(const std::vector<Rigid>& poses, std::size_t most, Team& team) const;
@@ -40,6 +42,7 @@ class Pool {
   Candidate judged(const Rigid& start, Scratch& scratch) const;
 
   const Surfaces& surfaces_;
+  const Prior* prior_;
   std::vector<Candidate> ranked_;
 };
 

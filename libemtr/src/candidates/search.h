@@ -14,11 +14,11 @@ namespace emtr {
 /// Gathers candidates from all who have some, and more of them when those do not convince.
 class CandidateSearch {
  public:
-  /// All arguments must outlive it.
+  /// All arguments must outlive it. `prior`: what all candidates are to keep to, or null.
   CandidateSearch(const NormalisedPair& pair, const Surfaces& surfaces, const Settings& settings,
-                  const Kernels& kernels);
+                  const Kernels& kernels, const Prior* prior = nullptr);
 
-  /// The seeds with the best quick score, no copies.
+  /// The seeds with the best quick score, no copies; see admissible().
   std::vector<Rigid> shortlist(const std::vector<Seed>& seeds) const;
 
   /// Takes in poses as they are, and the best of `many`.
@@ -37,6 +37,7 @@ class CandidateSearch {
   const Surfaces& surfaces_;
   const Settings& settings_;
   const Kernels& kernels_;
+  const Prior* prior_;
   const int threads_;
   std::unique_ptr<Surfaces> oriented_;  ///< with viewpoints, after an escalation
   std::unique_ptr<Pool> pool_;

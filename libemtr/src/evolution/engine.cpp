@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../tasks/euler.h"
 #include "../team.h"
 #include "knowledge_transfer.h"
 
@@ -13,21 +12,22 @@ namespace {
 class Engine {
  public:
   Engine(const TaskAlpha& alpha, const TaskBeta& beta, const KnowledgeComplement& complement,
-         const Settings& settings, std::size_t threads, Team& team)
+         const Settings& settings, const Prior* prior, std::size_t threads, Team& team)
       : team_(team),
         alpha_(alpha),
         beta_(beta),
         settings_(settings),
-        transfer_(complement, settings),
-        poses_(pose_genes(settings.translation_bound), settings, Stream::Alpha),
-        rotations_(rotation_genes(), settings, Stream::Beta),
+        space_(settings.translation_bound, prior),
+        transfer_(complement, space_, settings),
+        poses_(space_.pose_genes(), settings, Stream::Alpha),
+        rotations_(space_.rotation_genes(), settings, Stream::Beta),
         scratch_(threads),
         stage_(settings.sparse_to_dense ? EMTR_STAGE_SPARSE : EMTR_STAGE_DENSE) {}
 
   void place(const std::vector<Rigid>& starts) {
     for (std::size_t i = 0; i < std::min(starts.size(), poses_.size()); ++i) {
       double particle[6];
-      encode(starts[i], particle);
+      space_.encode(starts[i], particle);
       poses_.place(i, particle);
       rotations_.place(i, particle);
     }
@@ -52,7 +52,7 @@ class Engine {
     }
     const std::size_t remembered = out_.history_alpha.empty() ? 0 : poses_.size();
     for (std::size_t i = 0; i < remembered; ++i)
-      out_.hypotheses.push_back({decode(poses_.best_position(i)), poses_.best_fitness(i)});
+      out_.hypotheses.push_back({space_.pose(poses_.best_position(i)), poses_.best_fitness(i)});
     out_.best = poses_.gbest();
     out_.stage = stage_;
     out_.lookups_complement = transfer_.lookups();
@@ -65,10 +65,11 @@ class Engine {
     const std::size_t n = poses_.size();
     team_.parallel(n + rotations_.size(), [&](std::size_t i, std::size_t thread) {
       if (i < n) {
-        poses_.fitness()[i] = alpha_.evaluate(stage_, decode(poses_.position(i)), scratch_[thread]);
+        poses_.fitness()[i] =
+            alpha_.evaluate(stage_, space_.pose(poses_.position(i)), scratch_[thread]);
       } else {
         double R[9];
-        euler_to_rotation(rotations_.position(i - n), R);
+        space_.rotation(rotations_.position(i - n), R);
         rotations_.fitness()[i - n] = beta_.evaluate(R);
       }
     });
@@ -81,7 +82,7 @@ class Engine {
     std::vector<double> fitness(poses_.size());
     team_.parallel(poses_.size(), [&](std::size_t i, std::size_t thread) {
       fitness[i] =
-          alpha_.evaluate(EMTR_STAGE_DENSE, decode(poses_.best_position(i)), scratch_[thread]);
+          alpha_.evaluate(EMTR_STAGE_DENSE, space_.pose(poses_.best_position(i)), scratch_[thread]);
     });
     stage_ = EMTR_STAGE_DENSE;
     poses_.set_best_fitness(fitness);
@@ -106,6 +107,7 @@ class Engine {
   const TaskAlpha& alpha_;
   const TaskBeta& beta_;
   const Settings settings_;
+  const SearchSpace space_;
   KnowledgeTransfer transfer_;
   Swarm poses_, rotations_;
   std::vector<TaskAlpha::Scratch> scratch_;
@@ -118,11 +120,13 @@ class Engine {
 
 Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const KnowledgeComplement& complement, const Settings& settings,
-                 const std::vector<Rigid>& starts, const OnIteration& on_iteration) {
+                 const std::vector<Rigid>& starts, const OnIteration& on_iteration,
+                 const Prior* prior) {
   Evolution out;
   const int threads = thread_count(settings);
   Team::with(threads, [&](Team& team) {
-    Engine engine(alpha, beta, complement, settings, static_cast<std::size_t>(threads), team);
+    Engine engine(alpha, beta, complement, settings, prior, static_cast<std::size_t>(threads),
+                  team);
     engine.place(starts);
     out = engine.run(on_iteration);
   });

@@ -7,6 +7,7 @@
 #include "../tasks/task_alpha.h"
 #include "../tasks/task_beta.h"
 #include "knowledge_complement.h"
+#include "search_space.h"
 #include "swarm.h"
 
 namespace emtr {
@@ -32,8 +33,10 @@ using OnIteration = std::function<bool(int, double, double)>;
 
 /// Algorithm 1: both swarms evolve together, work spread over the particles of both tasks.
 /// `starts`: poses that take the first particles' places in both swarms, as many as there are.
+/// `prior`: what all particles are to keep to, or null.
 Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const KnowledgeComplement& complement, const Settings& settings,
-                 const std::vector<Rigid>& starts, const OnIteration& on_iteration);
+                 const std::vector<Rigid>& starts, const OnIteration& on_iteration,
+                 const Prior* prior = nullptr);
 
 }  // namespace emtr

@@ -5,6 +5,7 @@
 
 #include "../cloud.h"
 #include "../neighbors/neighbors.h"
+#include "../priors/prior.h"
 #include "../settings.h"
 
 namespace emtr {
@@ -20,7 +21,8 @@ class KnowledgeComplement {
                       std::unique_ptr<Neighbors> neighbors, const Settings& settings,
                       const Kernels& kernels);
 
-  void translation(const double* R, double t[3]) const;
+  /// With a prior from the admissible t nearest to 0, and to one that is admissible.
+  void translation(const double* R, double t[3], const Prior* prior = nullptr) const;
 
   /// Look-ups of one call.
   std::uint64_t lookups() const;

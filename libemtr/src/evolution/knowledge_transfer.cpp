@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "../tasks/euler.h"
-
 namespace emtr {
 namespace {
 
@@ -16,8 +14,8 @@ double share(double start, double end, int iteration, int iterations) {
 
 KnowledgeTransfer::Guides KnowledgeTransfer::own(const Swarm& alpha, const Swarm& beta) {
   Guides guides;
-  std::copy_n(alpha.gbest_position(), 6, guides.alpha.begin());
-  std::copy_n(beta.gbest_position(), 3, guides.beta.begin());
+  std::copy_n(alpha.gbest_position(), alpha.dimensions(), guides.alpha.begin());
+  std::copy_n(beta.gbest_position(), beta.dimensions(), guides.beta.begin());
   return guides;
 }
 
@@ -32,9 +30,10 @@ KnowledgeTransfer::Guides KnowledgeTransfer::exchange(int iteration, const Swarm
   const double* a = alpha.gbest_position();
   const double* b = beta.gbest_position();
   if (settings_.complement && (beta_changed || !known_)) {
-    double R[9];
-    euler_to_rotation(b, R);
-    complement_.translation(R, translation_.data());
+    Rigid pose;
+    space_.rotation(b, pose.R);
+    complement_.translation(pose.R, pose.t, space_.prior());
+    space_.encode_translation(pose, translation_.data());
     lookups_ += complement_.lookups();
     known_ = true;
   }
@@ -44,15 +43,18 @@ KnowledgeTransfer::Guides KnowledgeTransfer::exchange(int iteration, const Swarm
   const double lb = share(settings_.lambda_beta_start, settings_.lambda_beta_end, iteration,
                           settings_.iterations);
   double beta_seen_by_alpha[3], alpha_seen_by_beta[3];
-  nearest_alias(b, a, beta_seen_by_alpha);
-  nearest_alias(a, b, alpha_seen_by_beta);
+  space_.nearest_alias(b, a, beta_seen_by_alpha);
+  space_.nearest_alias(a, b, alpha_seen_by_beta);
   Guides guides;
-  for (std::size_t k = 0; k < 3; ++k) {
+  const std::size_t angles = space_.angles();
+  for (std::size_t k = 0; k < angles; ++k) {
     guides.alpha[k] = la * a[k] + (1 - la) * beta_seen_by_alpha[k];
     guides.beta[k] = lb * b[k] + (1 - lb) * alpha_seen_by_beta[k];
-    // Without the complement alpha keeps its own translation.
-    guides.alpha[k + 3] =
-        settings_.complement ? la * a[k + 3] + (1 - la) * translation_[k] : a[k + 3];
+  }
+  // Without the complement alpha keeps its own translation.
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double own = a[angles + k];
+    guides.alpha[angles + k] = settings_.complement ? la * own + (1 - la) * translation_[k] : own;
   }
   return guides;
 }

@@ -5,6 +5,7 @@
 
 #include "../settings.h"
 #include "knowledge_complement.h"
+#include "search_space.h"
 #include "swarm.h"
 
 namespace emtr {
@@ -13,10 +14,11 @@ namespace emtr {
 /// gbest's place in the velocities of that iteration only; pbest and gbest stay as they are.
 class KnowledgeTransfer {
  public:
-  KnowledgeTransfer(const KnowledgeComplement& complement, const Settings& settings)
-      : complement_(complement), settings_(settings) {}
+  KnowledgeTransfer(const KnowledgeComplement& complement, const SearchSpace& space,
+                    const Settings& settings)
+      : complement_(complement), space_(space), settings_(settings) {}
 
-  struct Guides {
+  struct Guides {  ///< as many of them as the swarm has genes
     std::array<double, 6> alpha;
     std::array<double, 3> beta;
   };
@@ -36,6 +38,7 @@ class KnowledgeTransfer {
 
  private:
   const KnowledgeComplement& complement_;
+  const SearchSpace& space_;
   Settings settings_;
   bool known_ = false;
   std::array<double, 3> translation_{};

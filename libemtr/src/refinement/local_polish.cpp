@@ -9,13 +9,11 @@
 #include <string>
 
 #include "../error.h"
+#include "constrained_step.h"
 #include "small_motion.h"
 
 namespace emtr {
 namespace {
-
-using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kBlock = 512;  // queries whose sums are one piece of work
 /// Of the Levenberg-Marquardt kind, by the sum of weights: far below what a surface of any shape
@@ -43,11 +41,12 @@ const Polish& checked(const Polish& s) {
   return s;
 }
 
-/// The Gauss-Newton step.
-Vector6 solve(const NormalEquations& sums) {
+/// The Gauss-Newton step, of a pose that keeps to the prior.
+Vector6 solve(const NormalEquations& sums, const Rigid& pose, const Prior* prior) {
   Matrix6 H;
   sums.full_matrix(H.data());
   H.diagonal().array() += kDamping * sums.weights;
+  if (prior) return constrained_step(H, Vector6::Map(sums.g), prior->limits(pose));
   return -H.ldlt().solve(Vector6::Map(sums.g));
 }
 
@@ -163,14 +162,16 @@ void LocalPolish::look(const Look& at, Scratch& s, Team& team, Polished& out) co
   out.rmse = sums.weights > 0 ? std::sqrt(sums.squares / sums.weights) : 0;
 }
 
-Polished LocalPolish::operator()(const Rigid& start, Scratch& s, int threads) const {
+Polished LocalPolish::operator()(const Rigid& start, Scratch& s, int threads,
+                                 const Prior* prior) const {
   Polished out;
-  const auto body = [&](Team& team) { out = polished(start, s, team); };
+  const auto body = [&](Team& team) { out = polished(start, s, team, prior); };
   Team::with(threads, std::ref(body));
   return out;
 }
 
-Polished LocalPolish::polished(const Rigid& start, Scratch& s, Team& team) const {
+Polished LocalPolish::polished(const Rigid& start, Scratch& s, Team& team,
+                               const Prior* prior) const {
   double T[16];
   to_matrix(start, T);
   require(is_rigid(T), "expected a finite rigid pose at the start");
@@ -187,13 +188,14 @@ Polished LocalPolish::polished(const Rigid& start, Scratch& s, Team& team) const
   while (out.iterations < settings_.iterations && out.end == PolishEnd::Iterations) {
     look(at, s, team, out);
     ++out.iterations;
-    const Vector6 step = solve(out.sums);
+    const Vector6 step = solve(out.sums, at.pose, prior);
     if (out.sums.inliers < static_cast<double>(settings_.least_inliers) || !step.allFinite()) {
       out = {};
       at.pose = start;
       break;
     }
     at.pose = moved(at.pose, step.data());
+    if (prior) at.pose = prior->project(at.pose);
     if (at.all && step.norm() < settings_.step * leaf_) out.end = PolishEnd::Settled;
     at.scale = std::max(last, at.scale * settings_.shrink);
     at.all = at.all || at.scale <= last;

@@ -6,6 +6,7 @@
 
 #include "../kernels/kernels.h"
 #include "../neighbors/neighbors.h"
+#include "../priors/prior.h"
 #include "../rigid.h"
 #include "../team.h"
 #include "normal_equations.h"
@@ -80,7 +81,10 @@ class LocalPolish {
   /// Safe to call from several threads at once, each with its own scratch. `threads` share the
   /// work of this one call, which gives the same bits for any number. Throws Error when the start
   /// is not a finite rigid pose.
-  Polished operator()(const Rigid& start, Scratch& scratch, int threads = 1) const;
+  /// With a prior, of which the start is a pose, each step is the best one within it, and the end
+  /// an optimum among its poses.
+  Polished operator()(const Rigid& start, Scratch& scratch, int threads = 1,
+                      const Prior* prior = nullptr) const;
 
   /// How many pairs of a polished pose say as much as one that is independent of all others, at
   /// least 1: found from both sides, they come twice, and neighbours share points and normals. It
@@ -104,7 +108,8 @@ class LocalPolish {
   };
 
   static Side prepare(const Surface& surface, const Neighbors* near_other, const Polish& settings);
-  Polished polished(const Rigid& start, Scratch& scratch, Team& team) const;
+  Polished polished(const Rigid& start, Scratch& scratch, Team& team,
+                    const Prior* prior = nullptr) const;
   void look(const Look& at, Scratch& scratch, Team& team, Polished& out) const;
   template <class Visit>
   void each_pair(const Look& at, bool reversed, std::size_t begin, std::size_t end,

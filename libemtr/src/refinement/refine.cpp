@@ -7,11 +7,11 @@
 namespace emtr {
 
 Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& settings,
-               const Kernels& kernels) {
+               const Kernels& kernels, const Prior* prior) {
   const LocalPolish polished(fine.source, fine.target, fine.near_source.get(),
                              fine.near_target.get(), Polish(), kernels);
   LocalPolish::Scratch scratch;
-  const Polished p = polished(start, scratch, thread_count(settings));
+  const Polished p = polished(start, scratch, thread_count(settings), prior);
 
   Refined out;
   out.pose = start;
@@ -22,6 +22,7 @@ Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& set
   out.rmse = p.rmse;
   information(p, polished.design_effect(p, scratch), out.information);
   out.spectrum = spectrum(p.sums);
+  out.slides = prior ? free_within(out.spectrum, prior->limits(p.pose)) : out.spectrum.free;
   return out;
 }
 

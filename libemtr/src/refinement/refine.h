@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../priors/prior.h"
 #include "../settings.h"
 #include "fine_surfaces.h"
 #include "spectrum.h"
@@ -13,9 +14,11 @@ struct Refined {
   double rmse = 0;              ///< see Polished
   double information[36] = {};  ///< see information()
   Spectrum spectrum;
+  int slides = 0;  ///< directions that neither the surfaces hold nor the prior
 };
 
+/// `prior`: what the pose keeps to, as the start does, or null.
 Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& settings,
-               const Kernels& kernels);
+               const Kernels& kernels, const Prior* prior = nullptr);
 
 }  // namespace emtr

@@ -1,6 +1,7 @@
 #include "spectrum.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +33,34 @@ Spectrum spectrum(const NormalEquations& sums) {
   out.free = static_cast<int>(
       std::count_if(out.values, out.values + 6, [](double v) { return v < kFreeDirection; }));
   return out;
+}
+
+int free_within(const Spectrum& spectrum, const std::vector<Prior::Limit>& limits) {
+  using Matrix = Eigen::MatrixXd;
+  if (!(spectrum.radius > 0)) return spectrum.free;
+  // Of a motion (rotation times radius, shift of the centre) the rotation vector and the shift at
+  // the origin.
+  const Eigen::Vector3d c = Eigen::Vector3d::Map(spectrum.center) / spectrum.radius;
+  Matrix motion = Matrix::Identity(6, 6);
+  motion.topLeftCorner<3, 3>() /= spectrum.radius;
+  motion.bottomLeftCorner<3, 3>() << 0, -c.z(), c.y(), c.z(), 0, -c.x(), -c.y(), c.x(), 0;
+  Matrix fixed(0, 6);
+  for (const Prior::Limit& limit : limits) {
+    if (!limit.equality) continue;
+    fixed.conservativeResize(fixed.rows() + 1, 6);
+    fixed.bottomRows<1>() = Eigen::Map<const Eigen::RowVectorXd>(limit.J, 6) * motion;
+  }
+  if (fixed.rows() == 0) return spectrum.free;
+  const Eigen::JacobiSVD<Matrix> svd(fixed, Eigen::ComputeFullV);
+  const Matrix left = svd.matrixV().rightCols(6 - svd.rank());
+  Matrix H = Matrix::Zero(6, 6);
+  for (int k = 0; k < 6; ++k) {
+    const auto direction = Eigen::Map<const Eigen::VectorXd>(spectrum.directions[k], 6);
+    H += spectrum.values[k] * direction * direction.transpose();
+  }
+  if (left.cols() == 0) return 0;
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(left.transpose() * H * left);
+  return static_cast<int>((solver.eigenvalues().array() < kFreeDirection).count());
 }
 
 }  // namespace emtr

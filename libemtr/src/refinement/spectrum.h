@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "../priors/prior.h"
 #include "normal_equations.h"
 
 namespace emtr {
@@ -28,5 +31,9 @@ constexpr double kFreeDirection = 3e-3;
 
 /// All zeros, with six free directions, when there are no matches.
 Spectrum spectrum(const NormalEquations& sums);
+
+/// How many directions are free among those that a prior leaves: of its limits the equalities take
+/// some away, such as the spins of a sphere about axes that are known to be upright.
+int free_within(const Spectrum& spectrum, const std::vector<Prior::Limit>& limits);
 
 }  // namespace emtr

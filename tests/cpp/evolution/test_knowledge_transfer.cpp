@@ -34,11 +34,12 @@ class KnowledgeTransfer : public testing::Test {
   const emtr::Kernels& kernels = emtr::select_kernels();
   emtr::Cloud cloud;
   std::optional<emtr::KnowledgeComplement> complement;
+  const emtr::SearchSpace space{0.5, nullptr};
   std::optional<Swarm> alpha, beta;
 };
 
 TEST_F(KnowledgeTransfer, MixesByTheLinearLambdas) {
-  emtr::KnowledgeTransfer transfer(*complement, settings);
+  emtr::KnowledgeTransfer transfer(*complement, space, settings);
   const int it = 50;
   const double la = 0.1 + 0.6 * it / 100, lb = 0.999 - 0.8 * it / 100;
   const auto guides = transfer.exchange(it, *alpha, *beta, true);
@@ -57,7 +58,7 @@ TEST_F(KnowledgeTransfer, MixesByTheLinearLambdas) {
 }
 
 TEST_F(KnowledgeTransfer, ReusesTheComplementWhileBetaStays) {
-  emtr::KnowledgeTransfer transfer(*complement, settings);
+  emtr::KnowledgeTransfer transfer(*complement, space, settings);
   transfer.exchange(0, *alpha, *beta, true);
   EXPECT_EQ(transfer.lookups(), 150u);
   transfer.exchange(1, *alpha, *beta, false);
@@ -68,7 +69,7 @@ TEST_F(KnowledgeTransfer, ReusesTheComplementWhileBetaStays) {
 
 TEST_F(KnowledgeTransfer, WithoutTheComplementAlphaKeepsItsTranslation) {
   settings.complement = 0;
-  emtr::KnowledgeTransfer transfer(*complement, settings);
+  emtr::KnowledgeTransfer transfer(*complement, space, settings);
   const auto guides = transfer.exchange(10, *alpha, *beta, true);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_DOUBLE_EQ(guides.alpha[k + 3], 0.1 * static_cast<double>(k + 1));
@@ -77,10 +78,11 @@ TEST_F(KnowledgeTransfer, WithoutTheComplementAlphaKeepsItsTranslation) {
 
 TEST_F(KnowledgeTransfer, IsDueAsOftenAsRmpSays) {
   int due = 0;
-  for (int it = 0; it < 2000; ++it) due += emtr::KnowledgeTransfer(*complement, settings).due(it);
+  for (int it = 0; it < 2000; ++it)
+    due += emtr::KnowledgeTransfer(*complement, space, settings).due(it);
   EXPECT_NEAR(due / 2000.0, 0.7, 0.03);
   settings.transfer = 0;
-  EXPECT_FALSE(emtr::KnowledgeTransfer(*complement, settings).due(0));
+  EXPECT_FALSE(emtr::KnowledgeTransfer(*complement, space, settings).due(0));
 }
 
 }  // namespace

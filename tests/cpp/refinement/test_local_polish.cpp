@@ -4,9 +4,12 @@
 #include <array>
 #include <limits>
 
+#include "../ranking/surfaces.h"
 #include "error.h"
 #include "frame/frame.h"
 #include "polisher.h"
+#include "priors/make_prior.h"
+#include "refinement/constrained_step.h"
 #include "shapes.h"
 
 namespace {
@@ -172,6 +175,70 @@ TEST(LocalPolish, RefusesWhatItCannotUse) {
   Rigid start;
   start.t[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(Polisher(source, target, Polish())(start), emtr::Error);
+}
+
+// ---- within a prior -------------------------------------------------------------------
+
+struct Bumps {
+  emtr_test::Pair pair{71, 6000};
+  emtr::NormalisedPair normalised = emtr::normalise(pair.source(), pair.target(), 1);
+  emtr::Rigid truth = normalised.frame.to_normalised(emtr::from_matrix(pair.pose()));
+  emtr_test::Polisher polisher{emtr::thin_surface(normalised.source, 0.03),
+                               emtr::thin_surface(normalised.target, 0.03), emtr::Polish()};
+
+  emtr::Polished from(const emtr::Rigid& start, const emtr::Prior* prior) const {
+    emtr::LocalPolish::Scratch scratch;
+    return (*polisher.polish)(start, scratch, 1, prior);
+  }
+  /// Settings with the axis that the true rotation turns about.
+  emtr::Settings upright() const {
+    emtr::Settings s = emtr::preset("default");
+    using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(Eigen::Map<const Rotation>(truth.R)));
+    s.has_axis = 1;
+    Eigen::Vector3d::Map(s.axis) = turn.axis();
+    return s;
+  }
+};
+
+double step_left(const emtr::Polished& p, const std::vector<emtr::Prior::Limit>& limits) {
+  emtr::Matrix6 H;
+  p.sums.full_matrix(H.data());
+  return emtr::constrained_step(H, emtr::Vector6::Map(p.sums.g), limits).norm();
+}
+
+TEST(LocalPolish, UprightItEndsInTheOptimumOfFour) {
+  const Bumps bumps;
+  const auto prior = emtr::make_prior(bumps.upright(), bumps.normalised.frame);
+  const emtr::Rigid start =
+      prior->project(emtr_test::compose(emtr_test::motion({2, -1, 1}, {0.02, 0, 0}), bumps.truth));
+  const emtr::Polished p = bumps.from(start, prior.get()), free = bumps.from(start, nullptr);
+  EXPECT_EQ(p.end, emtr::PolishEnd::Settled);
+  EXPECT_TRUE(prior->admits(p.pose));
+  EXPECT_FALSE(prior->admits(free.pose));
+  EXPECT_LT(step_left(p, prior->limits(p.pose)), 5e-3 * 0.03);
+  EXPECT_LT(emtr_test::degrees_between(p.pose, bumps.truth),
+            emtr_test::degrees_between(free.pose, bumps.truth));
+}
+
+TEST(LocalPolish, AtABorderTheRestMakesTheBestOfIt) {
+  const Bumps bumps;
+  emtr::Settings s = emtr::preset("default");
+  s.has_guess = 1;  // 0.02 away, and no further than 0.01 from there
+  emtr::Rigid guess = bumps.truth;
+  guess.t[0] += 0.02;
+  emtr::to_matrix(bumps.normalised.frame.to_user(guess), s.guess);
+  s.guess_translation = 0.01 * bumps.normalised.frame.scale;
+  const auto prior = emtr::make_prior(s, bumps.normalised.frame);
+  const emtr::Polished p = bumps.from(guess, prior.get()), free = bumps.from(guess, nullptr);
+  EXPECT_EQ(p.end, emtr::PolishEnd::Settled);
+  EXPECT_TRUE(prior->admits(p.pose));
+  const emtr::Rigid clipped = prior->project(free.pose);
+  EXPECT_GT(emtr_test::shift_between(clipped, free.pose), 0.005);
+  // A step is left, but none that the limits let through; and the rotation gave way.
+  EXPECT_LT(step_left(p, prior->limits(p.pose)), 5e-3 * 0.03);
+  EXPECT_GT(step_left(p, {}), 2e-3);
+  EXPECT_GT(emtr_test::degrees_between(p.pose, clipped), 0.02);
 }
 
 }  // namespace

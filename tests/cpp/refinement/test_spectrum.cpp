@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "polisher.h"
+#include "priors/make_prior.h"
 #include "refinement/spectrum.h"
 #include "shapes.h"
 
@@ -89,6 +90,26 @@ TEST(Spectrum, OfNothingIsAllFree) {
   const Spectrum s = emtr::spectrum(emtr::NormalEquations());
   EXPECT_EQ(s.free, 6);
   EXPECT_EQ(s.condition(), 0);
+}
+
+/// Of the directions that a prior leaves.
+TEST(Spectrum, WhatAPriorHoldsIsNotFree) {
+  const auto free = [](const Spectrum& s, const Eigen::Vector3d& axis, double largest) {
+    emtr::Settings settings = emtr::preset("default");
+    settings.has_axis = 1;
+    Eigen::Vector3d::Map(settings.axis) = axis;
+    settings.maximum_rotation = largest;
+    const auto prior = emtr::make_prior(settings, emtr::Frame());
+    return emtr::free_within(s, prior->limits(emtr::Rigid()));
+  };
+  const Eigen::Vector3d x(1, 0, 0), z(0, 0, 1);
+  const Spectrum plane = spectrum_of(emtr_test::plane), sphere = spectrum_of(emtr_test::sphere);
+  EXPECT_EQ(emtr::free_within(plane, {}), 3);
+  EXPECT_EQ(free(plane, z, 180), 3);
+  EXPECT_EQ(free(plane, x, 180), 2);
+  EXPECT_EQ(free(plane, z, 0), 2);
+  EXPECT_EQ(free(sphere, z, 180), 1);
+  EXPECT_EQ(free(sphere, z, 0), 0);
 }
 
 }  // namespace

@@ -65,7 +65,9 @@ def make_options(arguments: argparse.Namespace, engine: Engine) -> Options:
     if arguments.lookups and arguments.unrelated:
         raise DataError("--lookups judges no pose: no --unrelated")
     preset = arguments.preset or ("paper" if arguments.lookups else "default")
-    options = Options(preset, arguments.seed, arguments.threads, settings, arguments.viewpoints)
+    options = Options(
+        preset, arguments.seed, arguments.threads, settings, arguments.viewpoints, arguments.prior
+    )
     try:
         engine.check(options)
     except ValueError as error:
@@ -94,6 +96,7 @@ def choose(arguments: argparse.Namespace, scratch: Path) -> tuple[list[Pair], in
 
 def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> int:
     places = ", sensor positions given where known" if plan.options.viewpoints else ""
+    places += f", prior: {plan.options.prior}" if plan.options.prior else ""
     print(f"preset {plan.options.preset}, {plan.transforms} transforms a pair, "
           f"seeds {plan.options.seed}+, emtr {engine.version}{places}")  # fmt: skip
     print(report.header(), flush=True)

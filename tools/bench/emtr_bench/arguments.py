@@ -14,6 +14,7 @@ EPILOG = """examples:
   accuracy --tier all --transforms 4 --jobs 2     every pair, quicker
   accuracy --tier all --unrelated 200             and scans that do not belong together
   accuracy --pair trex_03_01 --failures           one pair, and why runs failed
+  accuracy --tier extreme --prior guess           with a guess nearby, or --prior axis
   accuracy --tier paper --lookups                 the cost against the paper's formula
 
 exit code: 0; 1 when a run crashed or, with --require, a mark was missed; 2 when nothing
@@ -40,6 +41,13 @@ def parser() -> argparse.ArgumentParser:
     add("--threads", type=natural, default=0, help="threads a process (default: 0, all)")
     add("--viewpoints", action="store_true",
         help="tell the library where the sensors stood, where it is known")  # fmt: skip
+    add(
+        "--prior",
+        choices=("guess", "axis"),
+        default="",
+        help="tell something true of each pose: a guess within 20 degrees and 0.3 radii, or the "
+        "axis that it turns about",
+    )
     add("--unrelated", type=natural, default=0, metavar="N",
         help="then N pairings of scans that do not belong together")  # fmt: skip
     add("--data", metavar="DIR", help="folder with MANIFEST.csv (default: EMTR_DATA)")

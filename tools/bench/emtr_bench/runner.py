@@ -20,13 +20,13 @@ from pyemtr.metrics import (
     translation_error,
 )
 
-from . import protocol
+from . import priors, protocol
 from .jobs import side_by_side
 from .pairs import Clouds, Pair, load
 from .sensors import sensors_known
 
 Array = NDArray[np.float64]
-Setting = Union[int, float, str]
+Setting = Union[int, float, str, Array]
 
 
 @dataclass(frozen=True)
@@ -38,6 +38,7 @@ class Options:
     threads: int = 0
     settings: dict[str, Setting] = field(default_factory=dict)
     viewpoints: bool = False  # tell where the sensors stood, of the pairs where it is known
+    prior: str = ""  # one of priors.PRIORS: tell something true of the pose
 
 
 @dataclass(frozen=True)
@@ -148,7 +149,13 @@ def run(pair: Pair, index: int, register: Register, options: Options) -> Run:
     so that one crash does not lose the others; it is reported and fails the benchmark."""
     case = moved(pair, index)
     seed = options.seed + index
-    own = replace(options, seed=seed)
+    settings = dict(options.settings)
+    if options.prior:
+        center = case.source.mean(axis=0)
+        settings |= priors.prior(
+            options.prior, pair.name, index, case.motion.T_true, center, case.scale
+        )
+    own = replace(options, seed=seed, settings=settings)
     sensors = case.sensors if options.viewpoints else None
     outcome, error, wall = attempt(register, case.source, case.target, own, sensors)
     rotation, translation, among = math.nan, math.nan, False

@@ -50,8 +50,8 @@ namespace pcl {
  *   were done.
  * - setIndices(): only these source points are registered and put out.
  * - the guess of align(): unless it is the identity, it is tried as one hypothesis among the
- *   particles; it is not a start that the search stays near. The final transformation maps the
- *   original source into the target, with a guess or without.
+ *   particles; it is not a start that the search stays near, unless setGuessRadius() says how near.
+ *   The final transformation maps the original source into the target, with a guess or without.
  * - setSearchMethodTarget(), setPointRepresentation(): only for getFitnessScore().
  *
  * These do not act: setMaxCorrespondenceDistance(), the transformation, rotation and fitness
@@ -123,9 +123,9 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * class does not compile in PCL 1.13. */
   void align(PointCloudSource& output, const Matrix4& guess = Matrix4::Identity());
 
-  /** \brief Replaces all settings, seed and threads too but not the viewpoints, by a preset of
-   * emtr_preset_name(): "default", "fast", "thorough" or "paper".
-   * \return false, with a PCL_ERROR and no change, when there is none of that name */
+  /** \brief Replaces all settings, seed and threads too but not the viewpoints and priors, by a
+   * preset of emtr_preset_name(): "default", "fast", "thorough" or "paper". \return false, with a
+   * PCL_ERROR and no change, when there is none of that name */
   bool setPreset(const std::string& name);
 
   /** \brief Sets one setting by the name that it has in emtr_settings.
@@ -137,9 +137,9 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * \return false, with a PCL_ERROR and \a value as it was, when the name is unknown */
   bool getSetting(const std::string& name, double& value) const;
 
-  /** \brief Replaces all settings at once, the viewpoints too but not the correspondences, see
-   * setCorrespondences(); they are checked by align().
-   * `iterations` becomes the maximum number of iterations. */
+  /** \brief Replaces all settings at once, the viewpoints and priors too but not the
+   * correspondences, see setCorrespondences(); they are checked by align(). `iterations` becomes
+   * the maximum number of iterations. */
   void setSettings(const emtr_settings& settings);
 
   /** \brief A copy of the settings, `iterations` being the maximum number of iterations. */
@@ -173,6 +173,40 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
 
   /** \brief Takes back setTargetViewpoint(): the sensor_origin_ of the target decides again. */
   void clearTargetViewpoint() { settings_.has_viewpoint_target = 0; }
+
+  /** \brief Only poses near the guess of align(), which the identity then is too. All priors hold
+   * at once, for the final transformation and for the alternatives; when no pose satisfies them,
+   * align() fails.
+   * \param degrees how far the rotation may be from the guess's, 0 to 180; 180: any
+   * \param distance how far the centroid of the source may end from where the guess puts it, 0 to
+   * 1e12, in the clouds' unit; 1e12: anywhere */
+  void setGuessRadius(double degrees, double distance = 1e12) {
+    settings_.guess_rotation = degrees;
+    settings_.guess_translation = distance;
+  }
+
+  /** \brief Takes back setGuessRadius(). */
+  void clearGuessRadius() { setGuessRadius(180); }
+
+  /** \brief Only rotations about a direction that is the same in both clouds' frames: up, say, for
+   * scanners that know where down is.
+   * \param axis the direction, of any length above 0
+   * \param tilt how far the rotated axis may lean from itself, degrees, 0 to 90
+   * \param minimum, maximum limits of the angle about it, degrees, -360 to 360 */
+  void setRotationAxis(const Eigen::Vector3d& axis, double tilt = 0, double minimum = -180,
+                       double maximum = 180);
+
+  /** \brief Takes back setRotationAxis(). */
+  void clearRotationAxis();
+
+  /** \brief Only translations of the final transformation between these, in the clouds' unit. */
+  void setTranslationBounds(const Eigen::Vector3d& minimum, const Eigen::Vector3d& maximum);
+
+  /** \brief Takes back setTranslationBounds(). */
+  void clearTranslationBounds() { settings_.has_translation_bounds = 0; }
+
+  /** \brief Only rotations of no more degrees than these, 0 to 180; 180: any. */
+  void setMaximumRotation(double degrees) { settings_.maximum_rotation = degrees; }
 
   /** \brief Hands in descriptors of the source's points, of any type that PCL has a
    * DefaultPointRepresentation for, or of any Histogram; both clouds or none, of one type. They are

@@ -9,6 +9,7 @@
 #include <exception>
 #include <limits>
 #include <pcl/registration/impl/emtr_ssc_points.hpp>
+#include <pcl/registration/impl/emtr_ssc_priors.hpp>
 #include <pcl/registration/impl/emtr_ssc_progress.hpp>
 #include <pcl/registration/impl/emtr_ssc_tree.hpp>
 #include <type_traits>
@@ -21,6 +22,7 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 EMTRSSCRegistration<PointSource, PointTarget, Scalar>::EMTRSSCRegistration() : settings_() {
   reg_name_ = "EMTRSSCRegistration";
   tree_.reset(new detail::FiniteKdTree<PointTarget>);
+  emtr_settings_init(&settings_, sizeof(settings_), "default");
   setPreset("default");
   forgetResult();
 }
@@ -77,8 +79,33 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setPreset(const std:
   settings.has_viewpoint_target = settings_.has_viewpoint_target;
   std::copy_n(settings_.viewpoint_source, 3, settings.viewpoint_source);
   std::copy_n(settings_.viewpoint_target, 3, settings.viewpoint_target);
+  detail::copyPriors(settings_, settings);
   setSettings(settings);
   return true;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setRotationAxis(
+    const Eigen::Vector3d& axis, double tilt, double minimum, double maximum) {
+  settings_.has_axis = 1;
+  Eigen::Vector3d::Map(settings_.axis) = axis;
+  settings_.axis_tilt = tilt;
+  settings_.axis_angle_minimum = minimum;
+  settings_.axis_angle_maximum = maximum;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::clearRotationAxis() {
+  setRotationAxis(Eigen::Vector3d::Zero());
+  settings_.has_axis = 0;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setTranslationBounds(
+    const Eigen::Vector3d& minimum, const Eigen::Vector3d& maximum) {
+  settings_.has_translation_bounds = 1;
+  Eigen::Vector3d::Map(settings_.translation_minimum) = minimum;
+  Eigen::Vector3d::Map(settings_.translation_maximum) = maximum;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -331,7 +358,7 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointCloudSource& source,
                                                                   const Matrix4& guess) {
   emtr_settings settings = getSettings();
-  if (guess != Matrix4::Identity()) {
+  if (guess != Matrix4::Identity() || detail::limitsGuess(settings)) {
     settings.has_guess = 1;
     for (Eigen::Index i = 0; i < 16; ++i)
       settings.guess[i] = static_cast<double>(guess(i / 4, i % 4));

@@ -1,0 +1,153 @@
+#include "make_prior.h"
+
+#include <cmath>
+#include <string>
+
+#include "../error.h"
+
+namespace emtr {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using Names = std::vector<std::string>;
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw Error(EMTR_ERROR_SETTING, message);
+}
+
+bool limits_rotation(const Settings& s) { return s.has_guess && s.guess_rotation < kAnyRotation; }
+bool limits_shift(const Settings& s) { return s.has_guess && s.guess_translation < kAnyShift; }
+
+bool finite(const double (&v)[3]) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+Quaterniond rotation_of(const Rigid& pose) {
+  return Quaterniond(Eigen::Matrix3d(Eigen::Map<const Rotation>(pose.R))).normalized();
+}
+
+RotationLimits rotation_limits(const Settings& s, const Rigid& guess) {
+  RotationLimits out;
+  if (limits_rotation(s)) out.balls.push_back({rotation_of(guess), s.guess_rotation * kDegree});
+  if (s.maximum_rotation < kAnyRotation)
+    out.balls.push_back({Quaterniond::Identity(), s.maximum_rotation * kDegree});
+  if (s.has_axis) {
+    const double half = (s.axis_angle_maximum - s.axis_angle_minimum) / 2;
+    Arc angle;
+    if (half < 180)
+      angle = {(s.axis_angle_minimum + s.axis_angle_maximum) / 2 * kDegree, half * kDegree};
+    out.axis = {Vector3d::Map(s.axis).stableNormalized(), s.axis_tilt * kDegree, angle};
+  }
+  return out;
+}
+
+TranslationLimits translation_limits(const Settings& s, const Frame& frame, const Rigid& guess) {
+  TranslationLimits out;
+  if (limits_shift(s)) out.ball = {Vector3d::Map(guess.t), s.guess_translation / frame.scale};
+  if (s.has_translation_bounds) {
+    const auto corner = [&](const double* at) -> Vector3d {
+      return (Vector3d::Map(at) - Vector3d::Map(frame.center_target)) / frame.scale;
+    };
+    out.box = {corner(s.translation_minimum), corner(s.translation_maximum),
+               Vector3d::Map(frame.center_source) / frame.scale};
+  }
+  return out;
+}
+
+Names rotation_names(const Settings& s) {
+  Names out;
+  if (limits_rotation(s)) out.push_back("'guess_rotation'");
+  if (s.has_axis) out.push_back("'axis'");
+  if (s.maximum_rotation < kAnyRotation) out.push_back("'maximum_rotation'");
+  return out;
+}
+
+Names all_names(const Settings& s) {
+  Names out = rotation_names(s);
+  if (limits_shift(s)) out.push_back("'guess_translation'");
+  if (s.has_translation_bounds) out.push_back("'translation_minimum' to 'translation_maximum'");
+  return out;
+}
+
+[[noreturn]] void contradict(const Names& names, const char* what) {
+  std::string text = "settings ";
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  throw Error(EMTR_ERROR_SETTING, text + " contradict each other: no " + what + " is within all");
+}
+
+/// Where the search for an admissible pose starts.
+std::vector<Rigid> starts(const Settings& s, const RotationLimits& rotation, const Rigid& guess) {
+  std::vector<Rigid> out = {guess, Rigid()};
+  if (s.has_guess) {
+    out.push_back(Rigid());
+    std::copy_n(guess.t, 3, out.back().t);
+  }
+  if (rotation.axis) {
+    const Arc angles = rotation.angles().value_or(rotation.axis->angle);
+    for (const double at : {0.0, -0.5, 0.5}) {
+      const Eigen::AngleAxisd turn(angles.middle + at * angles.half, rotation.axis->axis);
+      out.push_back(guess);
+      Eigen::Map<Rotation>(out.back().R) = turn.toRotationMatrix();
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+void validate_priors(const Settings& s) {
+  const auto needs = [](bool given, bool there, const char* name, const char* other) {
+    require(!given || there,
+            std::string("setting '") + name + "' says nothing without '" + other + "'");
+  };
+  needs(s.guess_rotation < kAnyRotation, s.has_guess, "guess_rotation", "guess");
+  needs(s.guess_translation < kAnyShift, s.has_guess, "guess_translation", "guess");
+  needs(s.axis_tilt > 0, s.has_axis, "axis_tilt", "axis");
+  needs(s.axis_angle_minimum != -180, s.has_axis, "axis_angle_minimum", "axis");
+  needs(s.axis_angle_maximum != 180, s.has_axis, "axis_angle_maximum", "axis");
+  require(s.axis_angle_minimum <= s.axis_angle_maximum,
+          "settings 'axis_angle_minimum' and 'axis_angle_maximum' contradict each other: the "
+          "minimum is the larger one");
+  if (s.has_axis)
+    require(finite(s.axis) && Vector3d::Map(s.axis).cwiseAbs().maxCoeff() > 0,
+            "setting 'axis' is no direction: expected finite x, y, z that are not all 0");
+  if (!s.has_translation_bounds) return;
+  require(finite(s.translation_minimum) && finite(s.translation_maximum),
+          "settings 'translation_minimum' and 'translation_maximum' are not finite: expected x, y, "
+          "z; a side that has no limit takes a large number");
+  for (int i = 0; i < 3; ++i)
+    require(s.translation_minimum[i] <= s.translation_maximum[i],
+            std::string("settings 'translation_minimum' and 'translation_maximum' contradict each "
+                        "other: the minimum of ") +
+                "xyz"[i] + " is the larger one");
+}
+
+Rigid normalised_guess(const Settings& settings, const Frame& frame) {
+  const Rigid pose = frame.to_normalised(from_matrix(settings.guess));
+  require(is_near(pose.t, 3), "setting 'guess' moves the source a million radii past the target");
+  return pose;
+}
+
+PriorPtr make_prior(const Settings& s, const Frame& frame) {
+  const Rigid guess = s.has_guess ? normalised_guess(s, frame) : Rigid();
+  RotationLimits rotation = rotation_limits(s, guess);
+  const TranslationLimits translation = translation_limits(s, frame, guess);
+  if (!rotation.any() && !translation.any()) return nullptr;
+  if (!rotation.simplify()) contradict(rotation_names(s), "rotation");
+  bool turned = false;
+  for (const Rigid& start : starts(s, rotation, guess)) {
+    const Rigid found = Prior::attempt(rotation, translation, start);
+    if (Prior::holds(rotation, translation, found))
+      return std::make_unique<const Prior>(std::move(rotation), translation, found);
+    turned |= Prior::holds(rotation, TranslationLimits(), found);
+  }
+  if (!turned) contradict(rotation_names(s), "rotation");
+  contradict(all_names(s), "pose");
+}
+
+}  // namespace emtr

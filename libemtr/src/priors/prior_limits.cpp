@@ -1,0 +1,84 @@
+// The limits of a prior, each as a plane in the space of small motions.
+
+#include <cmath>
+
+#include "prior.h"
+
+namespace emtr {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using Limits = std::vector<Prior::Limit>;
+
+constexpr double kPoint = 1e-9;  // a range as narrow as this leaves nothing to choose
+
+void add(Limits& out, const Vector3d& turn, const Vector3d& shift, double room, bool equality) {
+  out.push_back({{turn.x(), turn.y(), turn.z(), shift.x(), shift.y(), shift.z()}, room, equality});
+}
+
+/// A value that may be from -half to half, is `at`, and changes by J x.
+void add_range(Limits& out, const Vector3d& turn, const Vector3d& shift, double at, double half) {
+  if (half < kPoint) return add(out, turn, shift, 0, true);
+  add(out, turn, shift, half - at, false);
+  add(out, -turn, -shift, half + at, false);
+}
+
+void add_ball(Limits& out, const RotationBall& ball, const Quaterniond& q) {
+  if (ball.radius < kPoint) {
+    for (int i = 0; i < 3; ++i) add(out, Vector3d::Unit(i), Vector3d::Zero(), 0, true);
+    return;
+  }
+  const Eigen::AngleAxisd d(q * ball.center.conjugate());
+  if (d.angle() > kPoint) add(out, d.axis(), Vector3d::Zero(), ball.radius - d.angle(), false);
+}
+
+void add_axis(Limits& out, const AxisLimits& limits, const Quaterniond& q) {
+  const Vector3d &a = limits.axis, none = Vector3d::Zero();
+  const Turn turn(q, a);
+  if (limits.tilt < kPoint) {
+    const Vector3d u = a.unitOrthogonal();
+    add(out, u, none, 0, true);
+    add(out, a.cross(u), none, 0, true);
+  } else if (turn.tilt > kPoint) {
+    add(out, a.cross(q * a).normalized(), none, limits.tilt - turn.tilt, false);
+  }
+  if (limits.angle.full()) return;
+  // Of angle = 2 atan2(q.vec . a, q.w), with dq = (w / 2) q.
+  const double s = q.w(), p = q.vec().dot(a);
+  const Vector3d J = (s * s * a + s * q.vec().cross(a) + p * q.vec()) / (s * s + p * p);
+  add_range(out, J, none, limits.angle.offset(turn.angle), limits.angle.half);
+}
+
+}  // namespace
+
+Limits Prior::limits(const Rigid& pose) const {
+  Limits out;
+  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.R);
+  const Quaterniond q(R);
+  const Vector3d t = Vector3d::Map(pose.t);
+  for (const RotationBall& ball : rotation_.balls) add_ball(out, ball, q);
+  if (rotation_.axis) add_axis(out, *rotation_.axis, q);
+
+  // The motion takes a place y along by w x y + v: n . (w x y) = w . (y x n).
+  const auto along = [&](const Vector3d& n, const Vector3d& y, double at, double half) {
+    add_range(out, y.cross(n), n, at, half);
+  };
+  if (const auto& ball = translation_.ball) {
+    const Vector3d d = t - ball->center;
+    if (ball->radius < kPoint)
+      for (int i = 0; i < 3; ++i) along(Vector3d::Unit(i), t, 0, 0);
+    else if (d.norm() > kPoint)
+      add(out, t.cross(d.normalized()), d.normalized(), ball->radius - d.norm(), false);
+  }
+  if (const auto& box = translation_.box) {
+    // The matrix's translation t - R lever turns about the target's centre, as t and R do.
+    const Vector3d m = t - R * box->lever;
+    for (int i = 0; i < 3; ++i)
+      along(Vector3d::Unit(i), m, m[i] - (box->low[i] + box->high[i]) / 2,
+            (box->high[i] - box->low[i]) / 2);
+  }
+  return out;
+}
+
+}  // namespace emtr

@@ -1,0 +1,137 @@
+#include "rotation_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace emtr {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRounding = 1e-12;
+
+double angle_of(const Quaterniond& q) { return 2 * std::atan2(q.vec().norm(), std::abs(q.w())); }
+
+Quaterniond nearest(const RotationBall& ball, const Quaterniond& q) {
+  Quaterniond d = q * ball.center.conjugate();
+  if (d.w() < 0) d.coeffs() *= -1;
+  if (angle_of(d) <= ball.radius) return q;
+  const Vector3d direction = d.vec().normalized();
+  return Quaterniond(Eigen::AngleAxisd(ball.radius, direction)) * ball.center;
+}
+
+/// The scalar product with a rotation q of tilt s, angle a and direction u is
+///   cos(s/2) cos(s'/2) cos((a - a')/2) + sin(s/2) sin(s'/2) u.u',
+/// largest for u' = u, the nearest angle, and then tan(s'/2) = tan(s/2) / cos((a - a')/2).
+Quaterniond nearest(const AxisLimits& limits, const Quaterniond& q) {
+  Turn turn(q, limits.axis);
+  const double offset = limits.angle.offset(turn.angle),
+               clamped = std::clamp(offset, -limits.angle.half, limits.angle.half);
+  // A turn more changes the sign of the first two of a quaternion's parts.
+  const double turns = std::round((limits.angle.middle + offset - turn.angle) / (2 * kPi));
+  if (std::fmod(turns, 2) != 0) turn.across = -turn.across;
+  turn.angle = limits.angle.middle + clamped;
+  const double tilt = 2 * std::atan2(std::sin(turn.tilt / 2),
+                                     std::cos(turn.tilt / 2) * std::cos((offset - clamped) / 2));
+  turn.tilt = std::min(tilt, limits.tilt);
+  return turn.about(limits.axis);
+}
+
+/// The angles about the axis that a ball leaves, and more of them when it may lean: the scalar
+/// product above at the most tilt that there may be. Nothing when it leaves none.
+std::optional<Arc> shadow(const RotationBall& ball, const AxisLimits& limits) {
+  const Turn center(ball.center, limits.axis);
+  const double upright = std::cos(center.tilt / 2);
+  const double least =
+      std::cos(ball.radius / 2) - std::sin(limits.tilt / 2) * std::sin(center.tilt / 2);
+  if (least <= 0 || upright <= 0) return Arc();
+  if (least > upright * (1 + kRounding)) return std::nullopt;
+  return Arc{center.angle, 2 * std::acos(std::min(1.0, least / upright))};
+}
+
+}  // namespace
+
+bool Arc::full() const { return half >= kPi; }
+
+double Arc::offset(double angle) const { return std::remainder(angle - middle, 2 * kPi); }
+
+bool Arc::contains(const Arc& other) const {
+  return full() || std::abs(offset(other.middle)) + other.half <= half + kRounding;
+}
+
+std::optional<Arc> Arc::intersected(const Arc& other) const {
+  if (other.full()) return *this;
+  if (full()) return other;
+  std::optional<Arc> found;
+  for (const double turn : {-2 * kPi, 0.0, 2 * kPi}) {
+    const double at = offset(other.middle) + turn, low = std::max(-half, at - other.half),
+                 high = std::min(half, at + other.half);
+    if (low > high + kRounding) continue;
+    if (found) return *this;
+    found = Arc{middle + (low + high) / 2, std::max(0.0, (high - low) / 2)};
+  }
+  return found;
+}
+
+Turn::Turn(const Quaterniond& q, const Vector3d& axis) {
+  const double along = q.vec().dot(axis);
+  const Vector3d rest = q.vec() - along * axis;
+  const double length = rest.norm();
+  angle = 2 * std::atan2(along, q.w());
+  tilt = 2 * std::atan2(length, std::hypot(q.w(), along));
+  across = length > 0 ? Vector3d(rest / length) : axis.unitOrthogonal();
+}
+
+Quaterniond Turn::about(const Vector3d& axis) const {
+  const double upright = std::cos(tilt / 2);
+  Quaterniond q;
+  q.w() = upright * std::cos(angle / 2);
+  q.vec() = upright * std::sin(angle / 2) * axis + std::sin(tilt / 2) * across;
+  return q;
+}
+
+double RotationLimits::excess(const Quaterniond& q) const {
+  double most = 0;
+  for (const RotationBall& ball : balls)
+    most = std::max(most, angle_of(q * ball.center.conjugate()) - ball.radius);
+  if (!axis) return most;
+  const Turn turn(q, axis->axis);
+  most = std::max(most, turn.tilt - axis->tilt);
+  if (axis->angle.full()) return most;
+  return std::max(most, std::abs(axis->angle.offset(turn.angle)) - axis->angle.half);
+}
+
+Quaterniond RotationLimits::step(const Quaterniond& q) const {
+  Quaterniond out = q;
+  for (const RotationBall& ball : balls) out = nearest(ball, out);
+  if (axis) out = nearest(*axis, out);
+  return out.normalized();
+}
+
+std::optional<Arc> RotationLimits::angles() const {
+  Arc out = axis->angle;
+  for (const RotationBall& ball : balls) {
+    const auto left = shadow(ball, *axis);
+    const auto both = left ? out.intersected(*left) : std::nullopt;
+    if (!both) return std::nullopt;
+    out = *both;
+  }
+  return out;
+}
+
+bool RotationLimits::simplify() {
+  if (!axis) return true;
+  const auto left = angles();
+  if (!left) return false;
+  if (axis->tilt > 0) return true;
+  axis->angle = *left;
+  const auto settled = [this](const RotationBall& ball) {
+    return shadow(ball, *axis)->contains(axis->angle);
+  };
+  balls.erase(std::remove_if(balls.begin(), balls.end(), settled), balls.end());
+  return true;
+}
+
+}  // namespace emtr

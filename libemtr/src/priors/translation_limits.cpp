@@ -1,0 +1,65 @@
+#include "translation_limits.h"
+
+#include <algorithm>
+
+namespace emtr {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d clamped(const Vector3d& v, const Vector3d& low, const Vector3d& high) {
+  return v.cwiseMax(low).cwiseMin(high);
+}
+
+}  // namespace
+
+double TranslationLimits::excess(const Eigen::Matrix3d& R, const Vector3d& t) const {
+  double most = 0;
+  if (ball) most = std::max(most, (t - ball->center).norm() - ball->radius);
+  if (box) {
+    const Vector3d m = t - R * box->lever;
+    most = std::max({most, (m - box->high).maxCoeff(), (box->low - m).maxCoeff()});
+  }
+  return most;
+}
+
+Vector3d TranslationLimits::nearest(const Eigen::Matrix3d& R, const Vector3d& t) const {
+  if (!box) {
+    if (!ball) return t;
+    const Vector3d d = t - ball->center;
+    return d.norm() <= ball->radius ? t : Vector3d(ball->center + ball->radius * d.normalized());
+  }
+  const Vector3d shift = R * box->lever, low = box->low + shift, high = box->high + shift;
+  if (!ball) return clamped(t, low, high);
+  // The nearest point of both lies, clamped, on the way to the ball's centre: as far along as the
+  // ball asks for (the conditions of Kuhn and Tucker).
+  const auto at = [&](double s) { return clamped((1 - s) * t + s * ball->center, low, high); };
+  const auto inside = [&](double s) { return (at(s) - ball->center).norm() <= ball->radius; };
+  if (inside(0)) return at(0);
+  double out = 0, in = 1;
+  for (int k = 0; k < 60; ++k) (inside((out + in) / 2) ? in : out) = (out + in) / 2;
+  return at(in);
+}
+
+Eigen::Quaterniond TranslationLimits::step(const Eigen::Quaterniond& q) const {
+  if (!ball || !box || box->lever.isZero(0)) return q;
+  // Where R lever would have to be: the ball's centre less that, and the box, no further apart
+  // than the ball's radius.
+  const Vector3d is = q * box->lever, gap = ball->center - is,
+                 off = gap - clamped(gap, box->low, box->high);
+  const double distance = off.norm();
+  if (distance <= ball->radius) return q;
+  const Vector3d wanted = is + (1 - ball->radius / distance) * off;
+  return (Eigen::Quaterniond::FromTwoVectors(is, wanted) * q).normalized();
+}
+
+double TranslationLimits::rounding() const {
+  double largest = 1;
+  if (ball) largest = std::max(largest, ball->center.cwiseAbs().maxCoeff());
+  if (box)
+    largest = std::max({largest, box->lever.cwiseAbs().maxCoeff(), box->low.cwiseAbs().maxCoeff(),
+                        box->high.cwiseAbs().maxCoeff()});
+  return 1e-14 * largest;
+}
+
+}  // namespace emtr

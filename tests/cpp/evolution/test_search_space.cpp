@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "evolution/search_space.h"
+#include "priors/random_priors.h"
+#include "tasks/euler.h"
+
+namespace {
+
+using namespace emtr_test;
+using emtr::Rigid;
+using emtr::SearchSpace;
+
+TEST(SearchSpace, WithoutAPriorGenesAreAnglesAndTranslation) {
+  const SearchSpace space(1.2, nullptr);
+  ASSERT_EQ(space.pose_genes().size(), 6u);
+  Draw d(1);
+  for (int k = 0; k < 50; ++k) {
+    double genes[6], back[6];
+    for (double& v : genes) v = d.uniform(-4, 4);
+    const Rigid a = space.pose(genes), b = emtr::decode(genes);
+    EXPECT_TRUE(std::equal(a.R, a.R + 9, b.R) && std::equal(a.t, a.t + 3, b.t));
+    space.encode(a, genes);
+    emtr::encode(a, back);
+    EXPECT_TRUE(std::equal(genes, genes + 6, back));
+  }
+}
+
+TEST(SearchSpace, AnUprightAxisLeavesFourGenes) {
+  emtr::Settings s = emtr::preset("default");
+  s.has_axis = 1;
+  s.axis[2] = 1;
+  const auto yaw = emtr::make_prior(s, emtr::Frame());
+  EXPECT_EQ(SearchSpace(1.2, yaw.get()).pose_genes().size(), 4u);
+  EXPECT_FALSE(SearchSpace(1.2, yaw.get()).rotation_genes()[0].wall);
+  s.axis_tilt = 3;
+  const auto leaning = emtr::make_prior(s, emtr::Frame());
+  EXPECT_EQ(SearchSpace(1.2, leaning.get()).pose_genes().size(), 6u);
+}
+
+TEST(SearchSpace, GenesDecodeToAdmissiblePosesAndReachAllOfThem) {
+  constexpr double bound = 1.2;
+  Draw d(2);
+  for (int which = 1; which < kAll; ++which)
+    for (int k = 0; k < 20; ++k) {
+      const emtr::Frame frame = any_frame(d, k % 2 ? 2 : 0);
+      const Rigid inside = any_pose(d);
+      const auto prior = emtr::make_prior(limits_around(inside, frame, which, d), frame);
+      const SearchSpace space(bound, prior.get());
+      const auto genes = space.pose_genes();
+      for (int j = 0; j < 20; ++j) {
+        double at[6], back[6], alias[6];
+        for (std::size_t g = 0; g < genes.size(); ++g)
+          at[g] = d.uniform(genes[g].low, genes[g].high);
+        const Rigid pose = space.pose(at);
+        EXPECT_TRUE(prior->admits(pose)) << which;
+        double R[9];
+        space.rotation(at, R);
+        EXPECT_LT(prior->rotation().excess(Eigen::Quaterniond(Eigen::Matrix3d(
+                      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R)))),
+                  1e-9);
+        // There and back again; and what was decoded lies within the genes' ranges.
+        space.encode(pose, back);
+        const Rigid again = space.pose(back);
+        EXPECT_LT(emtr::rotation_distance(again.R, pose.R), 1e-7) << which;
+        EXPECT_LT(shift_between(again, pose), 1e-7) << which;
+        space.nearest_alias(back, at, alias);
+        EXPECT_LT(emtr::rotation_distance(space.pose(alias).R, pose.R), 1e-7);
+        for (std::size_t g = 0; g < space.angles(); ++g) {
+          if (!genes[g].wall) continue;
+          EXPECT_GE(back[g], genes[g].low - 1e-7) << which << ", gene " << g;
+          EXPECT_LE(back[g], genes[g].high + 1e-7) << which << ", gene " << g;
+        }
+      }
+      // The pose that the limits were drawn around.
+      double at[6];
+      space.encode(inside, at);
+      for (std::size_t g = 0; g < genes.size(); ++g) {
+        if (!genes[g].wall) continue;
+        EXPECT_GE(at[g], genes[g].low - 1e-7) << which << ", gene " << g;
+        EXPECT_LE(at[g], genes[g].high + 1e-7) << which << ", gene " << g;
+      }
+      if (HasFailure()) FAIL() << "limits " << which << ", case " << k;
+    }
+}
+
+}  // namespace

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "priors/make_prior.h"
+#include "refinement/shapes.h"
+
+namespace emtr_test {
+
+inline emtr::Rigid any_pose(Draw& d, double reach = 1) {
+  const Eigen::Vector4d q(d.gaussian(), d.gaussian(), d.gaussian(), d.gaussian());
+  emtr::Rigid out;
+  Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out.R) =
+      Eigen::Quaterniond(q.normalized()).toRotationMatrix();
+  for (double& v : out.t) v = d.uniform(-reach, reach);
+  return out;
+}
+
+inline emtr::Frame any_frame(Draw& d, double lever) {
+  emtr::Frame frame;
+  frame.scale = std::exp(d.uniform(-3, 3));
+  for (int i = 0; i < 3; ++i) {
+    frame.center_source[i] = frame.scale * d.uniform(-lever, lever);
+    frame.center_target[i] = frame.scale * d.uniform(-lever, lever);
+  }
+  return frame;
+}
+
+/// Which limits there are; to be added up.
+enum { kGuessRotation = 1, kGuessShift = 2, kAxis = 4, kBounds = 8, kLargest = 16, kAll = 32 };
+
+/// Settings with these limits that `inside` (normalised) satisfies, some of them just so.
+inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Frame& frame, int which,
+                                    Draw& d) {
+  constexpr double degree = M_PI / 180;
+  emtr::Settings s = emtr::preset("default");
+  using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const Eigen::Quaterniond q(Eigen::Matrix3d(Eigen::Map<const Rotation>(inside.R)));
+  if (which & (kGuessRotation | kGuessShift)) {
+    const double degrees = d.uniform(0, 40), away = d.uniform(0, 0.5);
+    emtr::Rigid guess;
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(degrees * degree, d.direction()));
+    Eigen::Map<Rotation>(guess.R) = (turn * q).toRotationMatrix();
+    Eigen::Vector3d::Map(guess.t) = Eigen::Vector3d::Map(inside.t) + away * d.direction();
+    s.has_guess = 1;
+    emtr::to_matrix(frame.to_user(guess), s.guess);
+    if (which & kGuessRotation) s.guess_rotation = degrees + d.uniform(0, 30);
+    if (which & kGuessShift) s.guess_translation = frame.scale * (away + d.uniform(0, 0.3));
+  }
+  if (which & kAxis) {
+    const Eigen::AngleAxisd whole(q);
+    const bool lean = d.uniform(0, 1) < 0.5;
+    const Eigen::Vector3d axis = lean ? d.direction() : whole.axis();
+    const emtr::Turn turn(q, axis);
+    if (turn.tilt > M_PI / 2) return limits_around(inside, frame, which, d);
+    s.has_axis = 1;
+    Eigen::Vector3d::Map(s.axis) = std::exp(d.uniform(-5, 5)) * axis;
+    s.axis_tilt = lean ? std::min(90.0, turn.tilt / degree + d.uniform(0, 10)) : 0;
+    if (d.uniform(0, 1) < 0.7) {
+      const double angle = std::remainder(turn.angle, 2 * M_PI) / degree;
+      s.axis_angle_minimum = angle - d.uniform(0, 100);
+      s.axis_angle_maximum = angle + d.uniform(0, 100);
+    }
+  }
+  if (which & kBounds) {
+    s.has_translation_bounds = 1;
+    const emtr::Rigid user = frame.to_user(inside);
+    for (int i = 0; i < 3; ++i) {
+      s.translation_minimum[i] = user.t[i] - frame.scale * d.uniform(0, 0.3);
+      s.translation_maximum[i] = user.t[i] + frame.scale * d.uniform(0, 0.3);
+    }
+  }
+  if (which & kLargest)
+    s.maximum_rotation = std::min(
+        179.99, emtr::rotation_distance(inside.R, emtr::Rigid().R) / degree + d.uniform(0.001, 30));
+  return s;
+}
+
+}  // namespace emtr_test

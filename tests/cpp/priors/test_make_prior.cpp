@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "error.h"
+#include "priors/make_prior.h"
+#include "priors/random_priors.h"
+
+namespace {
+
+const Eigen::Vector3d kNone(0, 0, 0);
+
+using emtr::Settings;
+
+/// The message of the error that these settings are.
+std::string refused(const std::function<void(Settings&)>& change) {
+  Settings s = emtr::preset("default");
+  emtr::to_matrix(emtr::Rigid(), s.guess);
+  change(s);
+  emtr::Frame frame;
+  frame.scale = 10;
+  try {
+    emtr::validate(s);
+    emtr::make_prior(s, frame);
+  } catch (const emtr::Error& error) {
+    EXPECT_EQ(error.status(), EMTR_ERROR_SETTING);
+    return error.what();
+  }
+  return "";
+}
+
+void up(Settings& s) { s.has_axis = 1, s.axis[2] = 2; }
+
+void box(Settings& s, double low, double high) {
+  s.has_translation_bounds = 1;
+  for (int i = 0; i < 3; ++i) s.translation_minimum[i] = low, s.translation_maximum[i] = high;
+}
+
+void guess(Settings& s, const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) {
+  s.has_guess = 1;
+  emtr::to_matrix(emtr_test::motion(degrees, shift), s.guess);
+}
+
+void expect_named(const std::string& message, const std::vector<std::string>& names) {
+  EXPECT_FALSE(message.empty());
+  for (const auto& name : names)
+    EXPECT_NE(message.find("'" + name + "'"), std::string::npos) << message;
+}
+
+TEST(MakePrior, BadValuesAreNamed) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_named(refused([](Settings& s) { s.has_axis = 1; }), {"axis"});
+  expect_named(refused([&](Settings& s) { up(s), s.axis[0] = nan; }), {"axis"});
+  expect_named(refused([](Settings& s) { up(s), s.axis_tilt = 91; }), {"axis_tilt"});
+  expect_named(refused([](Settings& s) { s.maximum_rotation = -1; }), {"maximum_rotation"});
+  expect_named(refused([&](Settings& s) { s.maximum_rotation = nan; }), {"maximum_rotation"});
+  expect_named(refused([&](Settings& s) { box(s, 0, nan); }),
+               {"translation_minimum", "translation_maximum"});
+  expect_named(refused([](Settings& s) { box(s, 1, 0); }),
+               {"translation_minimum", "translation_maximum"});
+  expect_named(refused([](Settings& s) { up(s), s.axis_angle_minimum = 190; }),
+               {"axis_angle_minimum", "axis_angle_maximum"});
+}
+
+TEST(MakePrior, ALimitOfWhatIsNotThereIsNamed) {
+  expect_named(refused([](Settings& s) { s.guess_rotation = 10; }), {"guess_rotation", "guess"});
+  expect_named(refused([](Settings& s) { s.guess_translation = 1; }),
+               {"guess_translation", "guess"});
+  expect_named(refused([](Settings& s) { s.axis_tilt = 1; }), {"axis_tilt", "axis"});
+  expect_named(refused([](Settings& s) { s.axis_angle_maximum = 90; }),
+               {"axis_angle_maximum", "axis"});
+}
+
+TEST(MakePrior, ContradictionsAreNamed) {
+  expect_named(refused([](Settings& s) {
+                 guess(s, {90, 0, 0}, kNone);
+                 s.guess_rotation = 20;
+                 s.maximum_rotation = 60;
+               }),
+               {"guess_rotation", "maximum_rotation"});
+  expect_named(refused([](Settings& s) {
+                 guess(s, {30, 0, 0}, kNone);
+                 s.guess_rotation = 20;
+                 up(s);
+                 s.axis_tilt = 5;
+               }),
+               {"guess_rotation", "axis"});
+  expect_named(refused([](Settings& s) {
+                 up(s);
+                 s.axis_angle_minimum = 60;
+                 s.maximum_rotation = 50;
+               }),
+               {"axis", "maximum_rotation"});
+  expect_named(refused([](Settings& s) {
+                 guess(s, kNone, {5, 0, 0});
+                 s.guess_translation = 1;
+                 box(s, -2, 2);
+               }),
+               {"guess_translation", "translation_minimum", "translation_maximum"});
+}
+
+TEST(MakePrior, WhatJustTouchesIsNoContradiction) {
+  EXPECT_EQ(refused([](Settings& s) {
+              guess(s, {90, 0, 0}, kNone);
+              s.guess_rotation = 30;
+              s.maximum_rotation = 60.001;
+            }),
+            "");
+  EXPECT_EQ(refused([](Settings& s) {
+              up(s);
+              s.axis_angle_minimum = 50;
+              s.axis_angle_maximum = 70;
+              s.maximum_rotation = 50;
+            }),
+            "");
+  EXPECT_EQ(refused([](Settings& s) { up(s), s.axis_angle_minimum = s.axis_angle_maximum = 170; }),
+            "");
+  EXPECT_EQ(refused([](Settings& s) { box(s, 1, 1); }), "");
+}
+
+TEST(MakePrior, AnAngleMayCrossHalfATurn) {
+  Settings s = emtr::preset("default");
+  up(s);
+  s.axis_angle_minimum = 170;
+  s.axis_angle_maximum = 200;
+  const auto prior = emtr::make_prior(s, emtr::Frame());
+  for (const double inside : {170.0, 180.0, -179.0, -160.0})
+    EXPECT_TRUE(prior->admits(emtr_test::motion({0, 0, inside}, kNone))) << inside;
+  for (const double outside : {169.9, -159.9, 0.0})
+    EXPECT_FALSE(prior->admits(emtr_test::motion({0, 0, outside}, kNone))) << outside;
+}
+
+}  // namespace
