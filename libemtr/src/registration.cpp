@@ -160,11 +160,12 @@ void Registration::evolve() {
     for (const Seed& seed : problem_.seeds) shortlist_.push_back(seed.pose);
     shortlist_ = admissible(shortlist_, prior_);
   }
-  evolution_ =
-      emtr::evolve(*problem_.alpha, *problem_.beta, *problem_.complement, settings_, starts(),
-                   [&](int done, double alpha, double beta) {
-                     return watch_.tell({"evolution", done, settings_.iterations, alpha, beta});
-                   });
+  evolution_ = emtr::evolve(
+      *problem_.alpha, *problem_.beta, *problem_.complement, settings_, starts(),
+      [&](int done, double alpha, double beta) {
+        return watch_.tell({"evolution", done, settings_.iterations, alpha, beta});
+      },
+      prior_);
   result_->lookups_evaluation = evolution_.lookups_evaluation;
   result_->lookups_switch = evolution_.lookups_switch;
   result_->lookups_complement = evolution_.lookups_complement;
