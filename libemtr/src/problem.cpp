@@ -8,11 +8,11 @@
 #include "features/kdtree_neighbors.h"
 #include "features/resolution.h"
 #include "frame/handed_matches.h"
-#include "parallel.h"
 #include "priors/make_prior.h"
 #include "ranking/given_viewpoints.h"
 #include "registration.h"
 #include "stopwatch.h"
+#include "team.h"
 
 namespace emtr {
 namespace {

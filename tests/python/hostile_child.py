@@ -27,6 +27,12 @@ class CCloud(ctypes.Structure):
         ("count", ctypes.c_size_t),
         ("stride", ctypes.c_size_t),
         ("scalar", ctypes.c_int),
+        ("normals", ctypes.c_void_p),
+        ("normal_stride", ctypes.c_size_t),
+        ("features", ctypes.c_void_p),
+        ("feature_dimension", ctypes.c_size_t),
+        ("feature_stride", ctypes.c_size_t),
+        ("keep_points", ctypes.c_int32),
     )
 
 

@@ -2,7 +2,7 @@
 
 #include "../features/cubes.h"
 #include "../features/voxel_grid.h"
-#include "../parallel.h"
+#include "../team.h"
 #include "slabs.h"
 
 namespace emtr {

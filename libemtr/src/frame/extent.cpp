@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "../error.h"
-#include "../parallel.h"
+#include "../team.h"
 
 namespace emtr {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "../features/cubes.h"
 #include "../features/voxel_grid.h"
-#include "../parallel.h"
+#include "../team.h"
 
 namespace emtr {
 namespace {

@@ -4,15 +4,14 @@
 
 namespace emtr {
 
-void information(const Polished& polished, double matrix[36]) {
+void information(const Polished& polished, double design_effect, double matrix[36]) {
   const NormalEquations& s = polished.sums;
   std::fill_n(matrix, 36, 0.0);
   if (!(s.weights > 0 && s.forces > 0 && s.slopes > 0)) return;
   // Covariance = A^-1 B A^-1 with A = slopes / weights * H, B = forces / weights * H.
   const double bend = s.slopes / s.weights, variance = s.forces / s.weights;
-  const double times = polished.both_ways ? 2 : 1;
   s.normal_matrix(matrix);
-  for (int k = 0; k < 36; ++k) matrix[k] *= bend * bend / (variance * times);
+  for (int k = 0; k < 36; ++k) matrix[k] *= bend * bend / (variance * design_effect);
 }
 
 }  // namespace emtr

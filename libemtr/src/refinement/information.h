@@ -8,10 +8,10 @@ namespace emtr {
 /// in the target's normalised frame, about its origin (the centroid of the target): rows 0-2 a
 /// rotation vector in radians, rows 3-5 a shift in the normalised unit; T_true = exp(x) T.
 /// The Hessian of the matched pairs scaled by the variance of their residuals, as M-estimators are
-/// (Huber 1981, 6.3), with a pair found from both sides counted once. It knows noise that is
-/// independent from point to point and nothing else: not what two scanners see differently, not a
-/// wrong match, and for what the surface leaves free it is as good as zero (see spectrum()).
-/// All zeros when the polish had too few inliers.
-void information(const Polished& polished, double matrix[36]);
+/// (Huber 1981, 6.3), and by the design effect, which says how many pairs count as one. It knows
+/// noise that is independent from point to point and nothing else: not what two scanners see
+/// differently, not a wrong match, and for what the surface leaves free it is as good as zero (see
+/// spectrum()). All zeros when the polish had too few inliers.
+void information(const Polished& polished, double design_effect, double matrix[36]);
 
 }  // namespace emtr

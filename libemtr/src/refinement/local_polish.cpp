@@ -3,7 +3,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "../error.h"
@@ -17,6 +19,9 @@ constexpr std::size_t kBlock = 512;  // queries whose sums are one piece of work
 /// Of the Levenberg-Marquardt kind, by the sum of weights: far below what a surface of any shape
 /// holds, and enough for a step along what a plane or a sphere leaves free to stay small.
 constexpr double kDamping = 1e-6;
+/// Leaves: the cubes in which pairs are held to say the same. Larger ones change little, until
+/// there are too few of them.
+constexpr double kCluster = 3;
 
 void require(bool holds, const char* what) {
   if (!holds) throw Error(EMTR_ERROR_ARGUMENT, std::string("polish: ") + what);
@@ -100,9 +105,11 @@ LocalPolish::LocalPolish(const Surface& source, const Surface& target, const Nei
   require(near_source || !settings.both_ways, "expected the neighbours of the source");
 }
 
-/// Queries begin to end of one side; their work space starts at `place`.
-void LocalPolish::sum_block(const Look& at, bool reversed, std::size_t begin, std::size_t end,
-                            std::size_t place, Scratch& s, NormalEquations& sums) const {
+/// visit(source, target) for the match of each of the queries begin to end of one side; their work
+/// space starts at `place`.
+template <class Visit>
+void LocalPolish::each_pair(const Look& at, bool reversed, std::size_t begin, std::size_t end,
+                            std::size_t place, Scratch& s, const Visit& visit) const {
   const Side &asking = reversed ? target_ : source_, &answering = reversed ? source_ : target_;
   const Rigid way = reversed ? at.pose.inverse() : at.pose;
   float R[9], t[3];
@@ -117,12 +124,11 @@ void LocalPolish::sum_block(const Look& at, bool reversed, std::size_t begin, st
 
   const double reach = std::max(at.scale, settings_.reach * leaf_);
   const auto limit = static_cast<float>(reach * reach);
-  const PlaneToPlane estimator(at.pose, at.scale, settings_.softness, settings_.normal_gate);
   for (std::size_t i = 0; i < n; ++i) {
     if (index[i] < 0 || !(squared[i] < limit)) continue;
     const Oriented& a = asking.points[static_cast<std::size_t>(asking.queries[begin + i])];
     const Oriented& b = answering.points[static_cast<std::size_t>(index[i])];
-    estimator.add(reversed ? b : a, reversed ? a : b, sums);
+    visit(reversed ? b : a, reversed ? a : b);
   }
 }
 
@@ -133,11 +139,14 @@ void LocalPolish::look(const Look& at, Scratch& s, Team& team, Polished& out) co
                                              : target_.first;
   const std::size_t blocks = (n + kBlock - 1) / kBlock, total = blocks + (m + kBlock - 1) / kBlock;
   s.blocks.assign(total, NormalEquations());
+  const PlaneToPlane estimator(at.pose, at.scale, settings_.softness, settings_.normal_gate);
   const auto work = [&](std::size_t b) {
     const bool reversed = b >= blocks;
     const std::size_t begin = (reversed ? b - blocks : b) * kBlock;
-    sum_block(at, reversed, begin, std::min(begin + kBlock, reversed ? m : n), b * kBlock, s,
-              s.blocks[b]);
+    each_pair(at, reversed, begin, std::min(begin + kBlock, reversed ? m : n), b * kBlock, s,
+              [&](const Oriented& source, const Oriented& target) {
+                estimator.add(source, target, s.blocks[b]);
+              });
   };
   team.parallel(total, [&](std::size_t b, std::size_t) { work(b); });
   const auto share = [](double inliers, std::size_t queries) {
@@ -193,6 +202,33 @@ Polished LocalPolish::polished(const Rigid& start, Scratch& s, Team& team,
   }
   out.pose = at.pose;
   return out;
+}
+
+double LocalPolish::design_effect(const Polished& polished, Scratch& s) const {
+  using Scores = std::array<double, 6>;
+  const auto squared = [](const double* g) {
+    double sum = 0;
+    for (int k = 0; k < 6; ++k) sum += g[k] * g[k];
+    return sum;
+  };
+  const Look at{polished.pose, settings_.last_scale * leaf_, true};
+  const PlaneToPlane estimator(at.pose, at.scale, settings_.softness, settings_.normal_gate);
+  std::map<std::array<double, 3>, Scores> cubes;
+  double of_pairs = 0, of_cubes = 0;
+  const auto visit = [&](const Oriented& source, const Oriented& target) {
+    NormalEquations one;
+    estimator.add(source, target, one);
+    std::array<double, 3> cube{};
+    for (std::size_t a = 0; a < 3; ++a)
+      cube[a] = std::floor(static_cast<double>(target.p[a]) / (kCluster * leaf_));
+    Scores& sum = cubes[cube];
+    for (std::size_t k = 0; k < 6; ++k) sum[k] += one.g[k];
+    of_pairs += squared(one.g);
+  };
+  each_pair(at, false, 0, source_.queries.size(), 0, s, visit);
+  if (settings_.both_ways) each_pair(at, true, 0, target_.queries.size(), 0, s, visit);
+  for (const auto& [cube, sum] : cubes) of_cubes += squared(sum.data());
+  return of_pairs > 0 ? std::max(1.0, of_cubes / of_pairs) : 1;
 }
 
 }  // namespace emtr

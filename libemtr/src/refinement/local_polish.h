@@ -86,6 +86,12 @@ class LocalPolish {
   Polished operator()(const Rigid& start, Scratch& scratch, int threads = 1,
                       const Prior* prior = nullptr) const;
 
+  /// How many pairs of a polished pose say as much as one that is independent of all others, at
+  /// least 1: found from both sides, they come twice, and neighbours share points and normals. It
+  /// is the design effect of sampling in clusters (Kish 1965): the sum of squares of the cubes'
+  /// summed g (see NormalEquations) over that of the pairs' own, cubes of three leaves.
+  double design_effect(const Polished& polished, Scratch& scratch) const;
+
  private:
   struct Side {
     std::vector<Oriented> points;       // of the whole surface
@@ -105,8 +111,9 @@ class LocalPolish {
   Polished polished(const Rigid& start, Scratch& scratch, Team& team,
                     const Prior* prior = nullptr) const;
   void look(const Look& at, Scratch& scratch, Team& team, Polished& out) const;
-  void sum_block(const Look& at, bool reversed, std::size_t begin, std::size_t end,
-                 std::size_t place, Scratch& scratch, NormalEquations& sums) const;
+  template <class Visit>
+  void each_pair(const Look& at, bool reversed, std::size_t begin, std::size_t end,
+                 std::size_t place, Scratch& scratch, const Visit& visit) const;
 
   Polish settings_;
   double leaf_;

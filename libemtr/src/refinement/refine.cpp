@@ -20,7 +20,7 @@ Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& set
   out.succeeded = true;
   out.pose = p.pose;
   out.rmse = p.rmse;
-  information(p, out.information);
+  information(p, polished.design_effect(p, scratch), out.information);
   out.spectrum = spectrum(p.sums);
   out.slides = prior ? free_within(out.spectrum, prior->limits(p.pose)) : out.spectrum.free;
   return out;

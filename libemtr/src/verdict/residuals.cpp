@@ -11,7 +11,7 @@
 #include "../error.h"
 #include "../features/kdtree_neighbors.h"
 #include "../frame/cloud_reader.h"
-#include "../parallel.h"
+#include "../team.h"
 
 namespace emtr {
 namespace {

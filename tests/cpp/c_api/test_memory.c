@@ -24,8 +24,8 @@ static void limit(rlim_t most) {
 }
 
 static void under_limits(const char* preset, int threads) {
-  const emtr_cloud source = {pair.source, pair.count, 0, EMTR_FLOAT32};
-  const emtr_cloud target = {pair.target, pair.count, 0, EMTR_FLOAT32};
+  const emtr_cloud source = {.points = pair.source, .count = pair.count, .scalar = EMTR_FLOAT32};
+  const emtr_cloud target = {.points = pair.target, .count = pair.count, .scalar = EMTR_FLOAT32};
   const rlim_t before = used();
   emtr_settings settings;
   emtr_result* result = NULL;

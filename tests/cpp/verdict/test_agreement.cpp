@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "../refinement/shapes.h"
 #include "support/clouds.h"
@@ -22,11 +24,22 @@ Cloud sheet(std::uint64_t seed, double low, double high, double height = 0, doub
       });
 }
 
+/// A prepared cloud without handed normals, as fine_surfaces() asks for.
+emtr::PreparedCloudPtr prepared(const Cloud& cloud) {
+  std::vector<float> rows;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    rows.insert(rows.end(), {cloud.x[i], cloud.y[i], cloud.z[i]});
+  const emtr_cloud view{rows.data(), cloud.size(), 0, EMTR_FLOAT32};
+  return std::make_shared<const emtr::PreparedCloud>(view, "", 1);
+}
+
 Agreement agree(const Cloud& source, const Cloud& target, const emtr::Rigid& pose = {},
                 const emtr::Kernels& kernels = emtr::select_kernels()) {
   emtr::NormalisedPair pair;
   pair.source = source;
   pair.target = target;
+  pair.prepared_source = prepared(source);
+  pair.prepared_target = prepared(target);
   return emtr::agree(pair, emtr::fine_surfaces(pair, kLeaf, kernels), pose, kernels);
 }
 
