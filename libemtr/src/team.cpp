@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -36,23 +37,52 @@ class Team::Helpers {
     if (team.size() <= 1) return;
     const SignalsHeld held;
     threads_.reserve(team.size() - 1);
-    try {
-      for (std::size_t thread = 1; thread < team.size(); ++thread)
-        threads_.emplace_back([&team, thread] { team.follow(thread); });
-    } catch (const std::system_error&) {
-      // The system has no more threads to give: those that there are do all of the work, to the
-      // same result.
-    } catch (const std::bad_alloc&) {  // the same; and those that run must be joined
+    // Where the system has no more threads to give, half of those that it has given do all of the
+    // work, to the same result: the stacks of all would leave no memory for it.
+    for (std::size_t wanted = team.size() - 1; wanted > 0 && !start(wanted);) {
+      wanted = threads_.size() / 2;
+      stop();
     }
   }
-  ~Helpers() {
-    team_.dismiss();
-    for (std::thread& thread : threads_) thread.join();
-  }
+  ~Helpers() { stop(); }
   Helpers(const Helpers&) = delete;
   Helpers& operator=(const Helpers&) = delete;
 
  private:
+  /// False when there are not so many, or nothing is left beside them. They begin when all are
+  /// there: a thread whose first allocation fails, that of its thread-local data, ends the process.
+  bool start(std::size_t wanted) {
+    const std::lock_guard<std::mutex> gate(team_.mutex_);
+    try {
+      for (std::size_t thread = 1; thread <= wanted; ++thread)
+        threads_.emplace_back([this, thread] { begin(thread); });
+      constexpr std::size_t enough = std::size_t{1} << 20;
+      void* volatile margin = std::malloc(enough);  // volatile: not to be optimised away
+      team_.dismissed_ = margin == nullptr;
+      std::free(margin);
+    } catch (const std::system_error&) {
+      team_.dismissed_ = true;
+    } catch (const std::bad_alloc&) {
+      team_.dismissed_ = true;
+    }
+    return !team_.dismissed_;
+  }
+
+  void begin(std::size_t thread) {
+    {
+      const std::lock_guard<std::mutex> gate(team_.mutex_);
+      if (team_.dismissed_) return;
+    }
+    team_.follow(thread);
+  }
+
+  void stop() {
+    team_.dismiss();
+    for (std::thread& thread : threads_) thread.join();
+    threads_.clear();
+    team_.dismissed_ = false;
+  }
+
   Team& team_;
   std::vector<std::thread> threads_;
 };
