@@ -1,10 +1,12 @@
-// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET [normals | features | FILE]: by the class,
-// twice with one object, and by the C API, each as a line "result" and lines "name value ...", in
-// hexadecimal. With the normals or the field fpfh of the files, or a file of correspondences.
+// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET [normals | features | priors | FILE]: by the
+// class, twice with one object, and by the C API, each as a line "result" and lines "name value
+// ...", in hexadecimal. With the normals or the field fpfh of the files, or a file of
+// correspondences; priors: with those that stand below.
 #include <emtr/emtr.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/registration/emtr_ssc.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -19,7 +21,28 @@ struct Chosen {
   int threads;
   unsigned long seed;
   const char* preset;
+  bool priors;
 };
+
+// The same in test_priors.py, and true of the pair that is made there but for half a degree of
+// tilt.
+constexpr double kAxis[3] = {1, 1.1, 1}, kTilt = 4, kLeast = -170, kMost = 200, kLargest = 170;
+constexpr double kLow[3] = {-9, -9, -9}, kHigh[3] = {9, 9, 9}, kDegrees = 40, kDistance = 3;
+constexpr double kGuess[16] = {0, 0, 1, -5.5, 1, 0, 0, -4.5, 0, 1, 0, -5, 0, 0, 0, 1};
+
+void set_priors(emtr_settings& settings) {
+  settings.has_axis = settings.has_translation_bounds = settings.has_guess = 1;
+  std::copy_n(kAxis, 3, settings.axis);
+  settings.axis_tilt = kTilt;
+  settings.axis_angle_minimum = kLeast;
+  settings.axis_angle_maximum = kMost;
+  settings.maximum_rotation = kLargest;
+  std::copy_n(kLow, 3, settings.translation_minimum);
+  std::copy_n(kHigh, 3, settings.translation_maximum);
+  std::copy_n(kGuess, 16, settings.guess);
+  settings.guess_rotation = kDegrees;
+  settings.guess_translation = kDistance;
+}
 
 template <class Value>
 void print(const char* name, const Value* values, std::size_t n) {
@@ -116,9 +139,18 @@ bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& 
   registration.setNumberOfThreads(static_cast<unsigned>(chosen.threads));
   registration.setSeed(chosen.seed);
   handed.hand_in(registration);
+  Eigen::Matrix4d guess = Eigen::Matrix4d::Identity();
+  if (chosen.priors) {
+    using Eigen::Vector3d;
+    registration.setRotationAxis(Vector3d::Map(kAxis), kTilt, kLeast, kMost);
+    registration.setMaximumRotation(kLargest);
+    registration.setTranslationBounds(Vector3d::Map(kLow), Vector3d::Map(kHigh));
+    registration.setGuessRadius(kDegrees, kDistance);
+    guess = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(kGuess);
+  }
   for (int twice = 0; twice < 2; ++twice) {
     Cloud aligned;
-    registration.align(aligned);
+    registration.align(aligned, guess);
     if (!registration.getResult()) return false;
     emtr_result result = *registration.getResult();
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> T = registration.getFinalTransformation();
@@ -134,6 +166,7 @@ int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen, const H
   if (emtr_settings_init(&settings, sizeof settings, chosen.preset) != EMTR_OK) return 1;
   settings.threads = chosen.threads;
   settings.seed = chosen.seed;
+  if (chosen.priors) set_priors(settings);
   emtr_cloud from{&source[0].x, source.size(), sizeof source[0], EMTR_FLOAT32};
   emtr_cloud to{&target[0].x, target.size(), sizeof target[0], EMTR_FLOAT32};
   handed.hand_in(0, from);
@@ -160,8 +193,9 @@ int main(int argc, char** argv) {
   if (argc < 6 || argc > 7 || pcl::io::loadPCDFile(argv[1], *source) ||
       pcl::io::loadPCDFile(argv[2], *target))
     return 2;
-  const Chosen chosen{std::atoi(argv[3]), std::strtoul(argv[4], nullptr, 10), argv[5]};
+  const Chosen chosen{std::atoi(argv[3]), std::strtoul(argv[4], nullptr, 10), argv[5],
+                      argc == 7 && std::string(argv[6]) == "priors"};
   Handed handed;
-  if (argc == 7 && !handed.read(argv[6], argv + 1)) return 2;
+  if (argc == 7 && !chosen.priors && !handed.read(argv[6], argv + 1)) return 2;
   return by_class(source, target, chosen, handed) ? by_c(*source, *target, chosen, handed) : 2;
 }
