@@ -22,8 +22,8 @@ constexpr double kEvidence = 60;  // points that lie on the other cloud; fewer f
 constexpr double kBias = 19.1, kOfScore = 5.3, kOfGap = 2.05;
 constexpr double kLeast = 1e-3;  // of a score or gap, for its logarithm
 
-/// Digits that every C library's logarithm and exponential agree on.
-double rounded(double confidence) { return std::round(confidence * 1e6) / 1e6; }
+/// Digits that every C library's logarithm and exponential agree on; never certain.
+double rounded(double confidence) { return std::min(std::round(confidence * 1e6) / 1e6, 0.999999); }
 
 bool has_rival(const Candidate& best, const Standing& standing) {
   if (standing.others.empty()) return false;
