@@ -93,7 +93,7 @@ std::vector<Gene> SearchSpace::pose_genes() const {
 
 Quaterniond SearchSpace::turned(const double* genes) const {
   if (chart_ == Chart::Vector) return exponential(Vector3d::Map(genes)) * center_;
-  const Quaterniond twist(Eigen::AngleAxisd(genes[0], prior_->rotation().axis->axis));
+  Quaterniond twist(Eigen::AngleAxisd(genes[0], prior_->rotation().axis->axis));
   if (angles() == 1) return twist;
   return exponential(genes[1] * e1_ + genes[2] * e2_) * twist;
 }

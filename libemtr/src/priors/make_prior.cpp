@@ -84,7 +84,7 @@ Names all_names(const Settings& s) {
 std::vector<Rigid> starts(const Settings& s, const RotationLimits& rotation, const Rigid& guess) {
   std::vector<Rigid> out = {guess, Rigid()};
   if (s.has_guess) {
-    out.push_back(Rigid());
+    out.emplace_back();
     std::copy_n(guess.t, 3, out.back().t);
   }
   if (rotation.axis) {
