@@ -66,8 +66,10 @@ void require_coordinates(const CloudFile& cloud) {
     names += found.name;
   }
   for (const auto& name : kCoordinates)
-    if (pcl::getFieldIndex(cloud.blob, name) < 0)
-      throw FileFailure(cloud.path, "has no field '" + name + "', only " + names);
+    if (pcl::getFieldIndex(cloud.blob, name) < 0) {
+      std::string what = "has no field '";
+      throw FileFailure(cloud.path, what.append(name).append("', only ").append(names));
+    }
   throw FileFailure(cloud.path, "expected fields x, y and z to be all float or all double");
 }
 
