@@ -181,7 +181,8 @@ const std::vector<Preset>& preset_table() {
         {"candidates", 0},
         {"free_space", 0},
         {"escalation", 0},
-        {"refine", 0}}},
+        {"refine", 0},
+        {"refine_leaf", 0.015}}},  // of the overlap and the rmse alone
   };
   return all;
 }
