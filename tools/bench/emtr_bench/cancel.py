@@ -6,18 +6,7 @@ import argparse
 import time
 from typing import Any
 
-STAGES = [
-    "frame",
-    "densities",
-    "features",
-    "matching",
-    "seeds",
-    "evolution",
-    "candidates",
-    "escalation",
-    "refinement",
-    "verdict",
-]
+from .scaling import STAGES
 
 
 def parse() -> argparse.Namespace:

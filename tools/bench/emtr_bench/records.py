@@ -14,6 +14,7 @@ from . import paper_tables
 from .runner import Options, Outcome, Run
 from .summary import Figures, PairSummary
 from .unrelated import Unrelated
+from .whole_file import write_whole
 
 
 def record(
@@ -48,14 +49,8 @@ def record(
 
 
 def write(path: Path, value: dict[str, Any]) -> None:
-    """Whole or not at all: to a file beside it, then renamed. What is NaN becomes null."""
-    text = json.dumps(_plain(value), indent=1, allow_nan=False)
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.part")
-    try:
-        temporary.write_text(text + "\n", encoding="utf-8")
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    """Whole or not at all. What is NaN becomes null."""
+    write_whole(path, json.dumps(_plain(value), indent=1, allow_nan=False) + "\n")
 
 
 def _run(run: Run) -> dict[str, Any]:

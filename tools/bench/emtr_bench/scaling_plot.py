@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
+from .picture import new_figure, save
 
 
 def plot(rows: Sequence[dict[str, Any]], path: Path) -> None:
     """Writes a PNG, whole or not at all."""
-    figure = Figure(figsize=(10, 4.2), layout="constrained")
-    FigureCanvasAgg(figure)
+    figure = new_figure()
     time, memory = figure.subplots(1, 2)
     points = [row["points"] for row in rows]
     for stage in ("frame", "densities", "features", "matching", "evolution"):
@@ -30,9 +27,4 @@ def plot(rows: Sequence[dict[str, Any]], path: Path) -> None:
     memory.legend(fontsize=8)
     for axes in (time, memory):
         axes.grid(True, which="major", alpha=0.3)
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.part")
-    try:
-        figure.savefig(temporary, format="png", dpi=130)
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    save(figure, path)

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from pathlib import Path
 
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-
+from ..picture import new_figure, save
 from .figures import Calibration
 
 
 def plot(presets: Mapping[str, Calibration], path: Path) -> None:
     """Writes a PNG, whole or not at all."""
-    figure = Figure(figsize=(10, 4.2), layout="constrained")
-    FigureCanvasAgg(figure)
+    figure = new_figure()
     reliability, counts = figure.subplots(1, 2)
     reliability.plot([0, 1], [0, 1], "k:", lw=1)
     width = 0.8 / len(presets)
@@ -37,9 +33,4 @@ def plot(presets: Mapping[str, Calibration], path: Path) -> None:
     for axes in (reliability, counts):
         axes.grid(True, which="major", alpha=0.3)
         axes.legend(fontsize=8)
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.part")
-    try:
-        figure.savefig(temporary, format="png", dpi=130)
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    save(figure, path)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import tempfile
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import pyemtr
 
 from ..locations import REPOSITORY
+from ..whole_file import write_whole
 from .page import page
 from .parts import Part, all_parts
 from .running import kept, run
@@ -45,21 +45,11 @@ def make(
     failures = [failure for part in wanted if part not in missing and (failure := _run(part))]
     for part in missing:
         print(f"left out: there is no {part.program}")
-    write(out, page(parts, REPOSITORY / pictures, out))
+    write_whole(out, page(parts, REPOSITORY / pictures, out))
     for failure in failures:
         print(f"report: {failure}", file=sys.stderr)
     print(f"wrote {out}")
     return int(bool(failures or (missing and not arguments.smoke)))
-
-
-def write(path: Path, text: str) -> None:
-    """Whole or not at all."""
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.part")
-    try:
-        temporary.write_text(text, encoding="utf-8")
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def _run(part: Part) -> str:

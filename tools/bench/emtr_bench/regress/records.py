@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-import os
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from ..locations import REPOSITORY
+from ..whole_file import write_whole
 from .counting import Count
 from .programs import RegressFailure
 
@@ -35,9 +35,4 @@ def write(path: Path, record: Record) -> None:
         "toolchain": record.toolchain,
         "programs": {name: asdict(count) for name, count in record.counts.items()},
     }
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.part")
-    try:
-        temporary.write_text(json.dumps(value, indent=1) + "\n", encoding="utf-8")
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    write_whole(path, json.dumps(value, indent=1) + "\n")
