@@ -42,12 +42,8 @@ bool has_rival(const Candidate& best, const Standing& standing) {
 Standing stand(const std::vector<Candidate>& ranked, std::size_t source, std::size_t target) {
   Standing out;
   const Candidate& best = ranked.front();
-  for (const Candidate& c : ranked) {
-    if (out.others.size() == kMostOthers) break;
-    const auto same = [&](const Candidate& other) { return within(c.pose, other.pose, kMode); };
-    if (same(best) || std::any_of(out.others.begin(), out.others.end(), same)) continue;
-    out.others.push_back(c);
-  }
+  out.others = distinct(ranked, kMode, kMostOthers + 1);
+  out.others.erase(out.others.begin());  // the best itself
   const double second = out.others.empty() ? 0 : std::max(0.0, out.others.front().score);
   out.gap = best.score - second;
   out.confidence = 1 / (1 + std::exp(-log_odds(best, out.gap)));
