@@ -18,9 +18,12 @@ constexpr double kEvidence = 60;  // points that lie on the other cloud; fewer f
 
 // A logistic model of "within 5 degrees and 0.06 radii", fitted to registrations of real pairs, to
 // what remained when their right candidates were taken away, and to scans that do not belong
-// together. The score holds the violation too, but by as much as ranks candidates best: a right pose
-// has next to none, so that it weighs more against the best of them than among them.
+// together. The score holds the violation too, but by as much as ranks candidates best: a right
+// pose has next to none, so that it weighs more against the best of them than among them.
 constexpr double kBias = 13, kOfScore = 3.2, kOfGap = 1.4, kOfViolation = -5;
+// Right poses of the noisiest scans lie up to here; wrong ones that score well are beyond it as
+// often as not, and then by 0.1 to 0.5.
+constexpr double kFlush = 0.7, kOfCrossing = 20;
 constexpr double kLeast = 1e-3;  // of a score, fit or gap, for logarithm and quotient
 
 double log_odds(const Candidate& best, double gap) {
@@ -54,6 +57,12 @@ Standing stand(const std::vector<Candidate>& ranked, std::size_t source, std::si
   if (evidence < kEvidence) out.confidence *= kWithRival * evidence / kEvidence;
   out.confidence = rounded(out.confidence);
   return out;
+}
+
+double doubted(double confidence, double crossing) {
+  if (!(crossing > kFlush)) return confidence;  // NaN too: then nothing is known
+  const double odds = confidence / (1 - confidence) * std::exp(-kOfCrossing * (crossing - kFlush));
+  return rounded(odds / (1 + odds));
 }
 
 emtr_reason reason(const Candidate& best, const Standing& standing, bool slides,
