@@ -264,6 +264,8 @@ void Registration::conclude_refinement() {
 void Registration::conclude_agreement() {
   Result& r = *result_;
   const Agreement agreement = agree(problem_.pair, fine(), *answer_, problem_.kernels);
+  // Without refinement the surfaces need not lie flush where the pose is right.
+  if (refined_.succeeded) standing_.confidence = doubted(standing_.confidence, agreement.crossing);
   r.leaf_fine = fine().leaf();
   r.overlap_source = agreement.overlap_source;
   r.overlap_target = agreement.overlap_target;

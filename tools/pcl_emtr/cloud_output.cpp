@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "failure.h"
+#include "numbers.h"
 
 namespace cli {
 namespace {
@@ -59,6 +60,14 @@ std::size_t ply_bytes(const pcl::PCLPointField& field) {
   return static_cast<std::size_t>(pcl::getFieldSize(field.datatype));
 }
 
+/// PCL's writer does so wherever the letters stand in the name: a float loses a byte, and of an
+/// integer the bytes change places.
+bool taken_for_color(const pcl::PCLPointField& field) {
+  const auto has = [&](const char* letters) { return field.name.find(letters) != field.name.npos; };
+  return (field.datatype == pcl::PCLPointField::FLOAT32 && has("rgb")) ||
+         (field.datatype == pcl::PCLPointField::UINT32 && has("rgba"));
+}
+
 bool write_ply(const CloudFile& cloud, const std::string& temporary) {
   pcl::PCLPointCloud2 blob = cloud.blob;
   auto& fields = blob.fields;  // "_" is PCD's name for bytes that mean nothing
@@ -88,16 +97,18 @@ void require_writable_as(const std::string& path, const CloudFile& cloud) {
   if (extension_of(path) != ".ply") return;
   for (const auto& field : cloud.blob.fields) {
     if (field.name == "_") continue;
-    if (field.count > 1)
-      throw FileFailure(path, "PLY has no arrays of fixed length for field '" + field.name +
-                                  "' of '" + cloud.path + "', write a .pcd file instead");
+    const auto refuse = [&](const std::string& lacks, const std::string& why) {
+      throw FileFailure(path, "PLY " + lacks + " field '" + shown(field.name) + "' of '" +
+                                  cloud.path + "'" + why + ", write a .pcd file instead");
+    };
     const auto type = field.datatype;
+    const bool color = field.name == "rgb" || field.name == "rgba";
+    if (field.count > 1) refuse("has no arrays of fixed length for", "");
     if (type < pcl::PCLPointField::INT8 || type > pcl::PCLPointField::FLOAT64)
-      throw FileFailure(path, "PLY has no type for field '" + field.name + "' of '" + cloud.path +
-                                  "' (64-bit integer or bool), write a .pcd file instead");
-    if ((field.name == "rgb" || field.name == "rgba") && pcl::getFieldSize(type) != 4)
-      throw FileFailure(path, "PLY cannot hold field '" + field.name + "' of '" + cloud.path +
-                                  "', which is not 4 bytes, write a .pcd file instead");
+      refuse("has no type for", " (64-bit integer or bool)");
+    if (color && pcl::getFieldSize(type) != 4) refuse("cannot hold", ", which is not 4 bytes");
+    if (!color && taken_for_color(field))
+      refuse("cannot hold", ", which PCL takes for a colour by its name");
   }
 }
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include "../rigid.h"
 
 namespace emtr {
@@ -17,5 +21,22 @@ constexpr Nearness kMode = {10 * 3.14159265358979323846 / 180, 0.15};
 constexpr Nearness kCopy = {3 * 3.14159265358979323846 / 180, 0.03};
 
 bool within(const Rigid& a, const Rigid& b, const Nearness& limit);
+
+inline const Rigid& pose_of(const Rigid& pose) { return pose; }
+
+/// The first `most` items, in their order, that are not within the limit of one taken before.
+template <class Item>
+std::vector<Item> distinct(const std::vector<Item>& items, const Nearness& limit,
+                           std::size_t most) {
+  std::vector<Item> out;
+  for (const Item& item : items) {
+    if (out.size() == most) break;
+    const auto near = [&](const Item& other) {
+      return within(pose_of(item), pose_of(other), limit);
+    };
+    if (std::none_of(out.begin(), out.end(), near)) out.push_back(item);
+  }
+  return out;
+}
 
 }  // namespace emtr

@@ -18,14 +18,10 @@ std::vector<Rigid> Pool::shortlist(const std::vector<Rigid>& poses, std::size_t 
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return quick[a] > quick[b]; });
-  std::vector<Rigid> out;
-  for (const std::size_t i : order) {
-    if (out.size() == most) break;
-    const bool copy = std::any_of(
-        out.begin(), out.end(), [&](const Rigid& other) { return within(poses[i], other, kCopy); });
-    if (!copy) out.push_back(poses[i]);
-  }
-  return out;
+  std::vector<Rigid> sorted;
+  sorted.reserve(poses.size());
+  for (const std::size_t i : order) sorted.push_back(poses[i]);
+  return distinct(sorted, kCopy, most);
 }
 
 void Pool::add(const std::vector<Rigid>& poses, Team& team) {
@@ -47,14 +43,7 @@ void Pool::take_in(const std::vector<std::optional<Candidate>>& fresh) {
     if (candidate) ranked_.push_back(*candidate);
   std::stable_sort(ranked_.begin(), ranked_.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-  std::vector<Candidate> distinct;
-  for (const Candidate& c : ranked_) {
-    const bool copy = std::any_of(distinct.begin(), distinct.end(), [&](const Candidate& other) {
-      return within(c.pose, other.pose, kCopy);
-    });
-    if (!copy) distinct.push_back(c);
-  }
-  ranked_ = std::move(distinct);
+  ranked_ = distinct(ranked_, kCopy, ranked_.size());
 }
 
 Candidate Pool::judged(const Rigid& start, Scratch& scratch) const {

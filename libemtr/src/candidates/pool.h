@@ -17,6 +17,8 @@ struct Candidate {
   double score = 0;      ///< chf - 2 violations, higher is better
 };
 
+inline const Rigid& pose_of(const Candidate& candidate) { return candidate.pose; }
+
 /// The poses from all sources (seeds, the swarm, escalation, the caller) in one ranking: a little
 /// polish each, then the fine score. Distinct ones, best first.
 class Pool {

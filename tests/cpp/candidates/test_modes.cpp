@@ -5,6 +5,7 @@
 
 namespace {
 
+using emtr::distinct;
 using emtr::kCopy;
 using emtr::kMode;
 using emtr::within;
@@ -54,6 +55,32 @@ TEST(Modes, NearnessGoesBothWaysAndACopyIsOfTheSameMode) {
   EXPECT_GT(copies, 0);
   EXPECT_GT(modes, copies);
   EXPECT_LT(modes, 300);
+}
+
+/// What is left of turns about z by so many degrees, as those degrees.
+std::vector<int> left(const std::vector<int>& degrees, std::size_t most) {
+  std::vector<emtr::Rigid> poses;
+  for (const int angle : degrees) poses.push_back(motion({0, 0, angle * 1.0}, {0, 0, 0}));
+  std::vector<int> out;
+  for (const emtr::Rigid& pose : distinct(poses, kMode, most))
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      if (within(pose, poses[i], {0, 0})) {
+        out.push_back(degrees[i]);
+        break;
+      }
+  return out;
+}
+
+TEST(Modes, TheFirstOfEachInTheOrderGiven) {
+  EXPECT_EQ(left({40, 0, 45, 90, 5, 60}, 9), (std::vector<int>{40, 0, 90, 60}));
+  // What was left out itself keeps nothing out: 16 is near 8, which is near 0.
+  EXPECT_EQ(left({0, 8, 16, 24, 32}, 9), (std::vector<int>{0, 16, 32}));
+}
+
+TEST(Modes, NoMoreThanAskedFor) {
+  EXPECT_EQ(left({0, 5, 30, 60, 90}, 2), (std::vector<int>{0, 30}));
+  EXPECT_EQ(left({0, 30}, 0), std::vector<int>{});
+  EXPECT_EQ(left({}, 3), std::vector<int>{});
 }
 
 }  // namespace

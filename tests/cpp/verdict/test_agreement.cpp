@@ -65,6 +65,16 @@ TEST(Agreement, PlaneResidualsAreTheNoiseAndPointResidualsTheSpacingToo) {
   EXPECT_NEAR(off.plane_rmse, 0.02, 1e-4);
 }
 
+TEST(Agreement, CrossingTellsFlushSurfacesFromThoseThatCut) {
+  for (const double noise : {0.001, 0.01}) {
+    const Cloud still = sheet(11, -0.5, 0.5, 0.02, noise);
+    EXPECT_NEAR(agree(sheet(12, -0.5, 0.5, 0.02, noise), still).crossing, 0, 0.15) << noise;
+  }
+  const Cloud one = sheet(13, -0.5, 0.5), other = sheet(14, -0.5, 0.5);
+  EXPECT_GT(agree(one, other, emtr_test::motion({90, 0, 0}, {0, 0, 0})).crossing, 0.7);
+  EXPECT_TRUE(std::isnan(agree(one, sheet(14, -0.5, 0.5, 0.2)).crossing));
+}
+
 TEST(Agreement, IsTakenAtThePose) {
   const emtr::Rigid pose = emtr_test::motion({20, -30, 40}, {0.3, 0.2, -0.1});
   const Cloud target = sheet(5, -0.5, 0.5);

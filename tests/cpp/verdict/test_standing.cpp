@@ -103,9 +103,35 @@ TEST(Standing, ConfidenceGrowsWithTheGap) {
   }
 }
 
+TEST(Standing, ConfidenceFallsWithTheViolationAtEqualScore) {
+  double before = 1;
+  for (const double violation : {0.0, 0.001, 0.01, 0.05}) {
+    std::vector<Candidate> some = ranked({0.15, 0.1});
+    some[0].violation = violation;
+    some[0].fit.chf = 0.15 + 2 * violation;
+    const double c = stand(some).confidence;
+    EXPECT_LT(c, before) << violation;
+    before = c;
+  }
+}
+
+TEST(Standing, SurfacesThatCrossAreDoubtedAndThoseThatLieFlushAreNot) {
+  for (const double crossing : {-0.2, 0.0, 0.3, 0.7, std::nan("")})
+    EXPECT_EQ(emtr::doubted(0.9, crossing), 0.9) << crossing;
+  double before = 0.9;
+  for (const double crossing : {0.75, 0.85, 1.0, 1.4}) {
+    const double c = emtr::doubted(0.9, crossing);
+    EXPECT_LT(c, before) << crossing;
+    before = c;
+  }
+  EXPECT_LT(before, 0.001);
+  EXPECT_EQ(emtr::doubted(0, 1.0), 0);
+}
+
 TEST(Standing, ConfidenceTellsGoodFromBad) {
   EXPECT_GT(stand(ranked({0.7, 0.1})).confidence, 0.95);
-  EXPECT_LT(stand(ranked({0.1, 0.09})).confidence, 0.1);
+  EXPECT_LT(stand(ranked({0.1, 0.09})).confidence, 0.5);
+  EXPECT_LT(stand(ranked({0.05, 0.045})).confidence, 0.05);
   EXPECT_LT(stand(ranked({-2})).confidence, 0.05);
 }
 
