@@ -28,7 +28,8 @@ def residuals(
 
     Returns:
         float64 (N,), or (M,) of the target: in the clouds' unit, exact to 1e-6 of the other
-        cloud's size. NaN for points with a NaN or an infinity (or masked ones).
+        cloud's size, or of the distance where that is larger. NaN for points with a NaN or an
+        infinity (or masked ones).
 
     Raises:
         TypeError: an argument of a wrong type.

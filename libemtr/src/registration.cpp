@@ -90,7 +90,7 @@ void Registration::salvage() {
   else if (!shortlist_.empty())
     answer_ = shortlist_.front();
   else if (!problem_.seeds.empty())
-    answer_ = problem_.seeds.front().pose;
+    answer_ = admitted(problem_.seeds.front().pose);
 }
 
 void Registration::describe_problem() {
@@ -137,8 +137,11 @@ void Registration::describe_problem() {
 
 std::vector<Rigid> Registration::guess() const {
   if (!settings_.has_guess) return {};
-  const Rigid pose = normalised_guess(settings_, problem_.frame);
-  return {prior_ ? prior_->project(pose) : pose};
+  return {admitted(normalised_guess(settings_, problem_.frame))};
+}
+
+Rigid Registration::admitted(const Rigid& pose) const {
+  return prior_ ? prior_->project(pose) : pose;
 }
 
 Starts Registration::starts() const {

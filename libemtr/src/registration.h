@@ -35,6 +35,7 @@ class Registration {
   void conclude_refinement();
   void conclude_agreement();
   std::vector<Rigid> guess() const;
+  Rigid admitted(const Rigid& pose) const;  ///< or the nearest that a prior admits
 
   const Problem& problem_;
   const Settings& settings_;

@@ -12,7 +12,7 @@
 namespace {
 
 TEST(Problem, RegistersWhateverThePoseAndTheUnit) {
-  for (const std::uint64_t seed : {1, 2, 3})
+  for (const std::uint64_t seed : {1u, 2u, 3u})
     for (const double unit : {1e-3, 1.0, 1e3}) {
       const emtr_test::Pair pair(seed, 5000, unit);
       const emtr::Problem problem(pair.source(), pair.target(), emtr::preset("paper"), nullptr);

@@ -269,7 +269,7 @@ TEST(Registration, TheUnitScalesTheResultAndNothingElse) {
 // ---- what cannot be registered --------------------------------------------------------
 
 TEST(Registration, UnrelatedCloudsAreNotRegistered) {
-  for (const std::uint64_t seed : {71, 73, 75}) {
+  for (const std::uint64_t seed : {71u, 73u, 75u}) {
     const Pair a(seed, 3000), b(seed + 1, 3000);
     const ResultPtr r = solve(a.source(), b.target(), preset("default"));
     EXPECT_EQ(r->registered, 0) << seed;

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <random>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -91,6 +93,36 @@ TEST(Watch, IsAskedEveryFewMillisecondsOfWorkInEachStage) {
   EXPECT_GE(polls["refinement"], points / 1024);
 }
 
+TEST(Watch, IsAskedWhileWhatWasHandedInIsRead) {
+  const std::size_t points = 300000, dimension = 3;
+  const Pair pair(83, points);
+  std::vector<float> rows(points * dimension);
+  std::mt19937 random(83);
+  for (float& value : rows) value = static_cast<float>(random() % 1000);
+  std::vector<std::int32_t> matches(2 * points);
+  for (std::size_t i = 0; i < matches.size(); ++i) matches[i] = static_cast<std::int32_t>(i / 2);
+  emtr_cloud source = pair.source(), target = pair.target();
+  source.normals = target.normals = source.features = target.features = rows.data();
+  source.feature_dimension = target.feature_dimension = dimension;
+  emtr::Settings settings = emtr::preset("fast");
+  settings.threads = 1;
+  settings.correspondences = matches.data();
+  settings.correspondence_count = points;
+  std::map<std::string, std::size_t> polls;
+  const auto stop_after_features = [&](const emtr_progress& p) {
+    ++polls[p.stage];
+    return p.stage == std::string("matching");
+  };
+  Watch watch(stop_after_features, 0, kAlways);
+  const auto normalised = [&] {
+    return emtr::normalise(emtr::kept(source, settings), emtr::kept(target, settings), 1);
+  };
+  const emtr::Problem problem(normalised, settings, watch);
+  EXPECT_TRUE(problem.stopped());
+  EXPECT_GE(polls["frame"], 2 * points / 256);
+  EXPECT_GE(polls["features"], points / 1024);
+}
+
 TEST(Watch, AsksTheCallerWhileItsHelpersWork) {
   int asked = 0;
   Watch watch([&](const emtr_progress&) { return ++asked == 5; }, 0, kAlways);
@@ -155,6 +187,31 @@ TEST(Watch, AStopAnywhereLeavesTheBestPoseSoFar) {
       EXPECT_EQ(asked, at);              // nobody was asked again
       expect_whole(*r, undisturbed(pair), stage);
     }
+}
+
+TEST(Watch, AStopAnywhereKeepsToThePrior) {
+  const Pair& pair = shared_pair();
+  emtr::Settings settings = through_all_stages(1);
+  settings.maximum_rotation = 10;  // none of the seeds
+  std::size_t polls = 0, known = 0;
+  const auto count = [&](const emtr_progress&) { return ++polls, false; };
+  EXPECT_GT(run(pair, settings, count)->seeds, 0u);
+  std::set<std::string> stages;
+  for (std::size_t at = 1; at < polls; at += 1 + polls / 100) {
+    std::size_t asked = 0;
+    std::string stage;
+    const auto stop = [&](const emtr_progress& p) {
+      const bool next = stages.insert(stage = p.stage).second;  // each stage as it begins, too
+      return ++asked >= at || next;
+    };
+    const ResultPtr r = run(pair, settings, stop);
+    if (std::isnan(r->transformation[0])) continue;
+    ++known;
+    const emtr::Rigid pose = emtr::from_matrix(r->transformation);
+    EXPECT_LE(emtr::rotation_distance(pose.R, emtr::Rigid().R), 10 * M_PI / 180 + 1e-9)
+        << "poll " << at << ", stage " << stage;
+  }
+  EXPECT_GT(known, 20u);
 }
 
 TEST(Watch, TheTimeLimitHasAReasonOfItsOwn) {

@@ -2,77 +2,84 @@
 
 #include <emtr/emtr.h>
 
-#include <memory>
-#include <vector>
-
-#include "input.h"
+#include "any_rows.h"
+#include "any_surface.h"
 
 namespace fuzz {
 
-/// A cloud for the C API in a block of memory that ends with its last point, so that a byte read
-/// too many is seen: of either scalar type, with any stride and alignment.
+/// What clouds are handed in with.
+struct Handed {
+  bool normals = false;
+  std::size_t dimension = 0;  ///< of the features, 0: none
+};
+
+inline Handed any_handed(Input& input) {
+  Handed out;
+  out.normals = input.ConsumeIntegralInRange(0, 2) == 2;
+  if (input.ConsumeIntegralInRange(0, 2) == 2)
+    out.dimension = input.ConsumeBool() ? 3 : input.ConsumeIntegralInRange<std::size_t>(1, 40);
+  return out;
+}
+
+/// A cloud for the C API: points, and what they may be handed in with.
 class AnyCloud {
  public:
-  /// Of at most `most` points: a bumpy surface that can be registered, a lattice of small whole
-  /// numbers with its many equal coordinates, or whatever bytes come; in any unit and place.
-  AnyCloud(Input& input, std::size_t most) {
-    const bool single = input.ConsumeBool();
-    const std::size_t packed = 3 * (single ? sizeof(float) : sizeof(double));
-    const std::size_t stride =
-        input.ConsumeBool() ? packed + input.ConsumeIntegralInRange<std::size_t>(0, 9) : 0;
-    const std::size_t step = stride ? stride : packed;
+  /// Of at most `most` points; handed in as said, or now and then otherwise than its partner.
+  AnyCloud(Input& input, std::size_t most, Handed handed = {}) {
+    if (input.ConsumeIntegralInRange(0, 15) == 15) handed = any_handed(input);
+    const AnySurface surface(input);
     const std::size_t count = most - input.ConsumeIntegralInRange<std::size_t>(0, most);
-    const std::size_t unaligned = input.ConsumeIntegralInRange<std::size_t>(0, 7);
-    const std::size_t bytes = count ? (count - 1) * step + packed : 0;
-    memory_.reset(new char[unaligned + bytes]());
-    char* points = memory_.get() + unaligned;
-    if (input.ConsumeIntegralInRange(0, 7) == 7) {
-      input.ConsumeData(points, bytes);
-    } else {
-      const std::vector<double> xyz = coordinates(input, count);
-      for (std::size_t i = 0; i < xyz.size(); ++i) {
-        char* place = points + i / 3 * step + i % 3 * packed / 3;
-        const auto value = static_cast<float>(xyz[i]);
-        single ? std::memcpy(place, &value, sizeof value)
-               : std::memcpy(place, &xyz[i], sizeof xyz[i]);
-      }
+    view_.count = count;
+    view_.scalar = input.ConsumeBool() ? EMTR_FLOAT32 : EMTR_FLOAT64;
+
+    points_ = AnyRows(input, count, 3, view_.scalar);
+    for (std::size_t i = 0; i < count; ++i) {
+      const AnySurface::Vector p = surface.point(i, input);
+      for (std::size_t k = 0; k < 3; ++k) points_.set(i, k, p[k]);
     }
-    view_ = {points, count, stride, single ? EMTR_FLOAT32 : EMTR_FLOAT64};
+    spoil(points_, count, 3, 4, input);
+    view_.points = points_.data();
+    view_.stride = points_.stride();
+    if (handed.normals) hand_in_normals(surface, input);
+    if (handed.dimension) hand_in_features(surface, handed.dimension, input);
+    view_.keep_points = input.ConsumeBool();
   }
 
   const emtr_cloud& view() const { return view_; }
+  double coordinate(std::size_t i, std::size_t axis) const { return points_.get(i, axis); }
 
  private:
-  static std::vector<double> coordinates(Input& input, std::size_t count) {
-    std::vector<double> xyz(3 * count);
-    const bool lattice = input.ConsumeIntegralInRange(0, 3) == 3;
-    // One byte chooses the shape, another the points on it: two clouds may well be of one shape.
-    const double shape = input.ConsumeIntegral<std::uint8_t>() % 4;
-    const double drawing = input.ConsumeIntegral<std::uint8_t>();
-    const double angle = input.ConsumeIntegral<std::uint8_t>() / 8.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      double* p = &xyz[3 * i];
-      if (lattice) {
-        for (int k = 0; k < 3; ++k) p[k] = input.ConsumeIntegral<std::int8_t>();
-        continue;
-      }
-      const double n = static_cast<double>(i) + drawing * 0.37;
-      const double u = 2 * std::fmod(n * 0.7548776662466927, 1) - 1;
-      const double v = 2 * std::fmod(n * 0.5698402909980532, 1) - 1;
-      const double height = 0.5 * std::sin((2 + shape) * u) * std::cos(3 * v) + 0.2 * shape * u * v;
-      p[0] = std::cos(angle) * u - std::sin(angle) * v;
-      p[1] = std::sin(angle) * u + std::cos(angle) * v;
-      p[2] = height;
+  void hand_in_normals(const AnySurface& surface, Input& input) {
+    normals_ = AnyRows(input, view_.count, 3, view_.scalar);
+    for (std::size_t i = 0; i < view_.count; ++i) {
+      const AnySurface::Vector n = surface.normal(i);
+      for (std::size_t k = 0; k < 3; ++k) normals_.set(i, k, n[k]);
     }
-    const double unit = input.ConsumeIntegralInRange(0, 3) == 3 ? any_double(input) : 1;
-    const double place = input.ConsumeIntegralInRange(0, 3) == 3 ? any_double(input) : 0;
-    for (double& value : xyz) value = value * unit + place;
-    for (int n = input.ConsumeIntegralInRange(0, 4); n > 0 && count; --n)
-      xyz[input.ConsumeIntegralInRange<std::size_t>(0, xyz.size() - 1)] = any_double(input);
-    return xyz;
+    spoil(normals_, view_.count, 3, 2, input);
+    view_.normals = normals_.data();
+    view_.normal_stride = normals_.stride();
   }
 
-  std::unique_ptr<char[]> memory_;
+  void hand_in_features(const AnySurface& surface, std::size_t dimension, Input& input) {
+    features_ = AnyRows(input, view_.count, dimension, EMTR_FLOAT32);
+    for (std::size_t i = 0; i < view_.count; ++i)
+      for (std::size_t d = 0; d < dimension; ++d) features_.set(i, d, surface.descriptor(i, d));
+    spoil(features_, view_.count, dimension, 2, input);
+    view_.features = static_cast<const float*>(features_.data());
+    view_.feature_dimension = dimension;
+    view_.feature_stride = features_.stride();
+  }
+
+  /// Some numbers, `most` at most, become any number; seldom all become any bytes.
+  static void spoil(AnyRows& rows, std::size_t count, std::size_t columns, int most, Input& input) {
+    if (count == 0) return;
+    if (input.ConsumeIntegralInRange(0, 15) == 15) rows.overwrite(input);
+    for (int n = input.ConsumeIntegralInRange(0, most); n > 0; --n)
+      rows.set(input.ConsumeIntegralInRange<std::size_t>(0, count - 1),
+               input.ConsumeIntegralInRange<std::size_t>(0, columns - 1), any_double(input));
+  }
+
+  AnyRows points_, normals_, features_;
   emtr_cloud view_{};
 };
 

@@ -27,6 +27,42 @@ void prepare(const emtr_cloud& cloud, const std::string& name) {
   require(info.kept == info.points);  // far too few to be thinned
   require(std::isfinite(info.radius) && info.radius > 0);
   for (const double value : info.center) require(std::isfinite(value));
+  require(info.normals == (cloud.normals != nullptr));
+  require(info.feature_dimension == cloud.feature_dimension && info.described <= info.points);
+  require((info.described > 0) == (cloud.features != nullptr));
+}
+
+/// A view that contradicts itself.
+emtr_cloud contradiction(emtr_cloud cloud, fuzz::Input& input) {
+  const std::size_t packed = cloud.scalar == EMTR_FLOAT32 ? 12 : 24;
+  const auto within = [&](std::size_t least, std::size_t most) {
+    return input.ConsumeIntegralInRange(least, most);
+  };
+  switch (input.ConsumeIntegralInRange(0, 5)) {
+    case 0:
+      cloud.stride = within(1, packed - 1);
+      break;
+    case 1:
+      cloud.points = nullptr;
+      cloud.count = within(1, SIZE_MAX);
+      break;
+    case 2:
+      cloud.normals = cloud.points;
+      cloud.normal_stride = within(1, packed - 1);
+      break;
+    case 3:  // features of no numbers, or numbers of no features
+      cloud.feature_dimension = cloud.features ? 0 : within(1, SIZE_MAX);
+      break;
+    case 4:
+      cloud.features = static_cast<const float*>(cloud.points);
+      cloud.feature_dimension = within(65537, SIZE_MAX);
+      break;
+    default:
+      cloud.features = static_cast<const float*>(cloud.points);
+      cloud.feature_dimension = within(1, 65536);
+      cloud.feature_stride = within(1, 4 * cloud.feature_dimension - 1);
+  }
+  return cloud;
 }
 
 }  // namespace
@@ -34,18 +70,11 @@ void prepare(const emtr_cloud& cloud, const std::string& name) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Input input(data, size);
   const std::string name = input.ConsumeRandomLengthString(8);
-  const fuzz::AnyCloud cloud(input, 64);
+  const fuzz::AnyCloud cloud(input, 64, fuzz::any_handed(input));
   prepare(cloud.view(), name);
 
-  // A view that contradicts itself is refused before its memory is touched.
-  emtr_cloud wrong = cloud.view();
-  const std::size_t packed = wrong.scalar == EMTR_FLOAT32 ? 12 : 24;
-  if (input.ConsumeBool()) {
-    wrong.stride = input.ConsumeIntegralInRange<std::size_t>(1, packed - 1);
-  } else {
-    wrong.points = nullptr;
-    wrong.count = input.ConsumeIntegralInRange<std::size_t>(1, SIZE_MAX);
-  }
+  // Refused before its memory is touched.
+  const emtr_cloud wrong = contradiction(cloud.view(), input);
   emtr_prepared* prepared = nullptr;
   require(!accepted(emtr_prepare(&wrong, nullptr, 1, &prepared)));
   return 0;

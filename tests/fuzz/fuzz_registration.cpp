@@ -5,8 +5,10 @@
 #include <string>
 
 #include "any_cloud.h"
+#include "any_matches.h"
 #include "calls.h"
 #include "input.h"
+#include "keeps_to_prior.h"
 #include "small_settings.h"
 
 namespace {
@@ -41,14 +43,20 @@ void check(const emtr_result& result, const emtr_settings& settings) {
     require(result.reason == EMTR_REASON_INTERRUPTED);
     return;
   }
+  const fuzz::KeptPrior prior(settings, result);
   require_rigid(result.transformation);
+  prior.require_kept(result.transformation);
   require(std::isnan(result.confidence) || in_unit(result.confidence));
   require(in_unit(result.inlier_ratio_source) && in_unit(result.inlier_ratio_target));
   require(result.fitness >= 0);
   require(result.iterations <= static_cast<std::size_t>(settings.iterations));
+  require(result.correspondences <= static_cast<std::size_t>(settings.max_correspondences));
+  require(result.correspondences <= result.correspondences_found);
   require(result.alternative_count <= 10);
-  for (std::size_t i = 0; i < result.alternative_count; ++i)
+  for (std::size_t i = 0; i < result.alternative_count; ++i) {
     require_rigid(result.alternatives[i].transformation);
+    prior.require_kept(result.alternatives[i].transformation);
+  }
 }
 
 /// Stops a run at one of its stages.
@@ -105,8 +113,11 @@ void use(emtr_problem* problem, Input& input) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Input input(data, size);
-  const emtr_settings settings = fuzz::small_settings(input);
-  const fuzz::AnyCloud source(input, 48), target(input, 48);
+  emtr_settings settings = fuzz::small_settings(input);
+  const fuzz::Handed handed = fuzz::any_handed(input);
+  const fuzz::AnyCloud source(input, 48, handed), target(input, 48, handed);
+  const fuzz::AnyMatches matches(input, source.view().count, target.view().count);
+  matches.hand_in(settings);
   Stop stop{input.ConsumeBool() ? input.ConsumeIntegralInRange(0, 15) : -1};
   emtr_result* result = nullptr;
   bool done = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "any_prior.h"
 #include "calls.h"
 #include "input.h"
 
@@ -37,22 +38,16 @@ inline emtr_settings small_settings(Input& input) {
   limit(settings, "candidates", 3);
   limit(settings, "escalation_seeds", 4);
   limit(settings, "escalation_candidates", 3);
+  // Tiny clouds leave every run in doubt: all of them would make the second search, which costs as
+  // much as ten without.
+  if (!seldom(input)) settings.escalation = 0;
   // Images of what a sensor sees have a pixel for each leaf.
   settings.minimum_leaf_spacing = std::max(settings.minimum_leaf_spacing, 0.5);
-  if (input.ConsumeIntegralInRange(0, 3) == 3) {
-    settings.has_guess = 1;
-    for (int i = 0; i < 4; ++i) settings.guess[5 * i] = 1;
-    if (input.ConsumeBool()) {  // a quarter turn about z
-      settings.guess[0] = settings.guess[5] = 0;
-      settings.guess[4] = 1;
-      settings.guess[1] = -1;
-    }
-    settings.guess[input.ConsumeIntegralInRange(0, 15)] = any_double(input);
-  }
+  any_prior(input, settings);
   const auto place = [&](std::int32_t& known, double(&at)[3]) {
-    if (input.ConsumeIntegralInRange(0, 3) != 3) return;
+    if (!seldom(input)) return;
     known = 1;
-    for (double& value : at) value = any_double(input);
+    for (double& value : at) value = any_near(input, -4, 4);
   };
   place(settings.has_viewpoint_source, settings.viewpoint_source);
   place(settings.has_viewpoint_target, settings.viewpoint_target);

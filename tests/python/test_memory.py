@@ -51,11 +51,35 @@ def stages(source, target):
     problem.solve()
 
 
+def handed(source, target):
+    given = {
+        "source_normals": source,
+        "target_normals": target,
+        "source_features": np.sin(source),
+        "target_features": np.sin(target),
+    }
+    pyemtr.register(source, target, **given, **QUICK)
+    rows = np.arange(20)
+    for known in ({"axis": (0, 0, 1), "axis_tilt": 5}, {"guess": np.eye(4), "guess_rotation": 9}):
+        pyemtr.register(
+            source, target, correspondences=np.column_stack([rows, rows]), **known, **QUICK
+        )
+
+
+def residuals(source, target):
+    result = pyemtr.register(source, target, **QUICK)
+    for of in ("source", "target"):
+        assert np.isfinite(result.residuals(source, target, of=of, threads=1)).all()
+
+
 def refused(source, target):
     for clouds, settings in [
         ((source[:5], target), {}),
         ((source, target * np.nan), {}),
         ((source, target), {"population": -1}),
+        ((source, target), {"source_features": source}),
+        ((source, target), {"correspondences": [[0, 0]]}),
+        ((source, target), {"axis": (0, 0, 0)}),
     ]:
         with pytest.raises(ValueError):
             pyemtr.register(*clouds, **{**QUICK, **settings})
@@ -70,7 +94,15 @@ def interrupted(source, target):
 @pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="needs Linux's /proc")
 @pytest.mark.parametrize(
     ("call", "calls"),
-    [(register, 1000), (prepared, 250), (stages, 250), (refused, 1000), (interrupted, 500)],
+    [
+        (register, 1000),
+        (prepared, 250),
+        (stages, 250),
+        (handed, 350),
+        (residuals, 500),
+        (refused, 1000),
+        (interrupted, 500),
+    ],
 )
 def test_no_growth(tiny, call, calls):
     # The allocator's own pools and whatever is made once are there after the first tenth. What is

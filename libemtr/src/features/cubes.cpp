@@ -1,9 +1,11 @@
 #include "cubes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
+
+#include "../watch.h"
 
 namespace emtr {
 namespace {
@@ -27,18 +29,37 @@ double to_centre(const Cloud& cloud, std::size_t i, float leaf) {
 
 }  // namespace
 
+/// Least significant digit first.
+void sort_by_cube(std::vector<CubeRow>& items, std::uint64_t most) {
+  constexpr int digit = 11;
+  std::vector<CubeRow> other(items.size());
+  for (int shift = 0; shift < 64 && (most >> shift); shift += digit) {
+    poll();  // a pass over a million items takes some milliseconds
+    const auto bucket = [shift](const CubeRow& item) {
+      return static_cast<std::size_t>(item.cube >> shift) & ((std::size_t{1} << digit) - 1);
+    };
+    std::array<std::size_t, (std::size_t{1} << digit) + 1> begin{};
+    for (const CubeRow& item : items) ++begin[bucket(item) + 1];
+    for (std::size_t b = 1; b < begin.size(); ++b) begin[b] += begin[b - 1];
+    for (const CubeRow& item : items) other[begin[bucket(item)]++] = item;
+    items.swap(other);
+  }
+}
+
 std::vector<CubeRow> by_cube(const Cloud& cloud, float leaf) {
   const float inverse = 1.0f / leaf;
   const auto digits = [&](float v) {
     return static_cast<std::uint64_t>(cell(v, inverse) + (std::int64_t{1} << (kBits - 1)));
   };
   std::vector<CubeRow> out(cloud.size());
-  for (std::size_t i = 0; i < out.size(); ++i)
+  std::uint64_t most = 0;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    poll_each(i, 14);
     out[i] = {digits(cloud.z[i]) << 2 * kBits | digits(cloud.y[i]) << kBits | digits(cloud.x[i]),
               static_cast<std::uint32_t>(i)};
-  std::sort(out.begin(), out.end(), [](const CubeRow& a, const CubeRow& b) {
-    return std::tie(a.cube, a.row) < std::tie(b.cube, b.row);
-  });
+    most = std::max(most, out[i].cube);
+  }
+  sort_by_cube(out, most);
   return out;
 }
 
@@ -46,7 +67,10 @@ std::vector<std::uint32_t> one_per_cube(const Cloud& cloud, float leaf) {
   std::vector<std::uint32_t> out;
   std::uint64_t cube = 0;
   double least = 0;
-  for (const CubeRow& item : by_cube(cloud, leaf)) {
+  const std::vector<CubeRow> items = by_cube(cloud, leaf);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    poll_each(i, 14);
+    const CubeRow& item = items[i];
     const double squared = to_centre(cloud, item.row, leaf);
     if (out.empty() || item.cube != cube) {
       out.push_back(item.row);
@@ -66,6 +90,7 @@ Cloud mean_normals(const Cloud& cloud, const Cloud& normals, float leaf) {
   const std::vector<CubeRow> items = by_cube(cloud, leaf);
   Cloud out;
   for (std::size_t i = 0; i < items.size();) {
+    poll_each(out.x.size(), 10);
     double sum[3] = {}, count = 0;
     const std::uint64_t cube = items[i].cube;
     for (; i < items.size() && items[i].cube == cube; ++i) {

@@ -13,6 +13,9 @@ struct CubeRow {
   std::uint32_t row;
 };
 
+/// By cube, rows of one cube in their order. Larger than `most` is no cube's number.
+void sort_by_cube(std::vector<CubeRow>& items, std::uint64_t most);
+
 /// All points by their cube, in the order of voxel_grid(): by z, then y, then x; those of one cube
 /// by row. On normalised clouds only, `leaf` of 2e-3 and more.
 std::vector<CubeRow> by_cube(const Cloud& cloud, float leaf);

@@ -10,7 +10,7 @@ namespace {
 
 static_assert(kFeatureSize == kDescriptor);
 
-constexpr std::size_t kRowsOfAPiece = 64;
+constexpr std::size_t kNumbersOfAPiece = 64 * 352;  // of the rows that one job compares with all
 constexpr std::size_t kCrowd = 10;  // of the nearest, whose last tells how common a descriptor is
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
@@ -106,14 +106,16 @@ struct BothWays {
     const Blocks columns(target_features, target);
     forward = Nearest(source.size(), wanted);
     std::vector<Nearest> found(static_cast<std::size_t>(threads));  // backward, by thread
-    const std::size_t pieces = (source.size() + kRowsOfAPiece - 1) / kRowsOfAPiece;
+    const std::size_t rows_of_a_piece =
+        std::clamp<std::size_t>(kNumbersOfAPiece / source_features.dimension, 4, 64);
+    const std::size_t pieces = (source.size() + rows_of_a_piece - 1) / rows_of_a_piece;
     Team::with(threads, [&](Team& team) {
       team.parallel(pieces, [&](std::size_t piece, std::size_t thread) {
         Nearest& mine = found[thread];
         if (mine.n == 0) mine = Nearest(columns.padded(), wanted);
-        const std::size_t first = piece * kRowsOfAPiece;
+        const std::size_t first = piece * rows_of_a_piece;
         kernels.nearest_descriptors(&rows[first * source_features.dimension],
-                                    std::min(kRowsOfAPiece, source.size() - first),
+                                    std::min(rows_of_a_piece, source.size() - first),
                                     static_cast<std::int32_t>(first), columns.view(),
                                     forward.lists(first), mine.lists());
       });

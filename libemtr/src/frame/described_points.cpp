@@ -4,12 +4,14 @@
 #include <limits>
 
 #include "../features/cubes.h"
+#include "../watch.h"
 #include "base_points.h"
 
 namespace emtr {
 namespace {
 
 constexpr std::size_t kLargestDimension = 65536;
+constexpr int kPollShift = 8;  // so many of the largest are read in some 10 ms
 
 /// The caller's descriptors, read where they are.
 class FeatureReader {
@@ -67,6 +69,7 @@ DescribedPoints described_points(const emtr_cloud& cloud, const CloudReader& rea
   std::vector<float> descriptor(out.dimension);
   for (std::size_t block = 0; block < reader.blocks(); ++block)
     reader.each_finite(block, [&](std::size_t i, const double* p) {
+      poll_each(i, kPollShift);
       const std::size_t row = block * CloudReader::kBlock + i;
       if (!features.read(row, descriptor.data())) return;
       float q[3];
@@ -85,8 +88,10 @@ DescribedPoints described_points(const emtr_cloud& cloud, const CloudReader& rea
     keep(out.rows, kept);
   }
   out.descriptors.resize(out.rows.size() * out.dimension);
-  for (std::size_t k = 0; k < out.rows.size(); ++k)
+  for (std::size_t k = 0; k < out.rows.size(); ++k) {
+    poll_each(k, kPollShift);
     features.read(static_cast<std::size_t>(out.rows[k]), &out.descriptors[k * out.dimension]);
+  }
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../error.h"
+#include "../watch.h"
 
 namespace emtr {
 namespace {
@@ -66,6 +67,7 @@ HandedMatches handed_matches(const NormalisedPair& pair, const std::int32_t* row
   std::set<std::pair<std::int32_t, std::int32_t>> known;
   std::vector<Correspondence> distinct;
   for (std::size_t i = 0; i < count; ++i) {
+    poll_each(i, 10);
     const Correspondence match{rows[2 * i], rows[2 * i + 1]};
     source.require(match.source, i);
     target.require(match.target, i);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "../features/resolution.h"
+#include "../watch.h"
 
 namespace emtr {
 
@@ -12,10 +13,12 @@ namespace {
 
 std::vector<std::int64_t> finite_rows(const CloudReader& reader) {
   std::vector<std::int64_t> out;
-  for (std::size_t block = 0; block < reader.blocks(); ++block)
+  for (std::size_t block = 0; block < reader.blocks(); ++block) {
+    poll();
     reader.each_finite(block, [&](std::size_t i, const double*) {
       out.push_back(static_cast<std::int64_t>(block * CloudReader::kBlock + i));
     });
+  }
   return out;
 }
 

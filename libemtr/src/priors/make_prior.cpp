@@ -45,16 +45,28 @@ RotationLimits rotation_limits(const Settings& s, const Rigid& guess) {
   return out;
 }
 
+/// In the normalised frame. No pose in sight has its origin further away than that: larger numbers
+/// say nothing, and would blur the smaller ones.
+TranslationBox translation_box(const Settings& s, const Frame& frame) {
+  const auto corner = [&](const double* at) -> Vector3d {
+    return (Vector3d::Map(at) - Vector3d::Map(frame.center_target)) / frame.scale;
+  };
+  TranslationBox box{corner(s.translation_minimum), corner(s.translation_maximum),
+                     Vector3d::Map(frame.center_source) / frame.scale};
+  const double sight = kFarthest + box.lever.norm();
+  require(
+      box.low.maxCoeff() <= sight && box.high.minCoeff() >= -sight,
+      "settings 'translation_minimum' and 'translation_maximum' keep the source a million radii "
+      "away from the target");
+  box.low = box.low.cwiseMax(-sight);
+  box.high = box.high.cwiseMin(sight);
+  return box;
+}
+
 TranslationLimits translation_limits(const Settings& s, const Frame& frame, const Rigid& guess) {
   TranslationLimits out;
   if (limits_shift(s)) out.ball = {Vector3d::Map(guess.t), s.guess_translation / frame.scale};
-  if (s.has_translation_bounds) {
-    const auto corner = [&](const double* at) -> Vector3d {
-      return (Vector3d::Map(at) - Vector3d::Map(frame.center_target)) / frame.scale;
-    };
-    out.box = {corner(s.translation_minimum), corner(s.translation_maximum),
-               Vector3d::Map(frame.center_source) / frame.scale};
-  }
+  if (s.has_translation_bounds) out.box = translation_box(s, frame);
   return out;
 }
 

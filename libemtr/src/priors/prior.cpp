@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../candidates/modes.h"
+#include "../watch.h"
 
 namespace emtr {
 namespace {
@@ -79,6 +80,7 @@ std::vector<Rigid> admissible(const std::vector<Rigid>& poses, const Prior* prio
   if (!prior) return poses;
   std::vector<Rigid> out;
   for (const Rigid& pose : poses) {
+    poll();
     const Rigid inside = prior->project(pose);
     if (within(pose, inside, kReach)) out.push_back(inside);
   }

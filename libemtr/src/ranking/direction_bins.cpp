@@ -4,7 +4,7 @@ namespace emtr {
 namespace {
 
 constexpr double kQuarter = 1.5707963267948966;  // of a circle: what a face sees
-constexpr double kMostBins = 4096;               // an edge; finer than any cloud here is
+constexpr double kMostBins = 1 << 18;            // an edge: all that floats can tell apart
 
 }  // namespace
 

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "../tasks/transform.h"
-#include "direction_bins.h"
 
 namespace emtr {
 namespace {
@@ -25,6 +24,7 @@ ZBuffer::ZBuffer(const Surface& surface, double bin, const Kernels& kernels)
       kernels_(kernels),
       centroid_{mean(surface.points.x), mean(surface.points.y), mean(surface.points.z)} {
   for (auto* v : {&x_, &y_, &z_, &range_, &allowance_}) v->resize(surface.points.size());
+  place_.resize(surface.points.size());
   bin_.resize(surface.points.size());
 }
 
@@ -45,6 +45,39 @@ void ZBuffer::measure(const double viewpoint[3]) {
   }
 }
 
+/// Of each face only the window that holds something has bins: a distant viewpoint sees a cloud in
+/// a few of millions.
+std::size_t ZBuffer::find_bins(const DirectionBins& bins) {
+  const std::size_t n = surface_.points.size();
+  struct Window {
+    std::int32_t low[2], high[2] = {-1, -1};
+    std::size_t first = 0;
+  } windows[6];
+  for (Window& w : windows) w.low[0] = w.low[1] = bins.side();
+  for (std::size_t i = 0; i < n; ++i) {
+    const DirectionBins::Bin b = place_[i] = bins(x_[i], y_[i], z_[i]);
+    Window& w = windows[b.face];
+    w.low[0] = std::min(w.low[0], b.row);
+    w.low[1] = std::min(w.low[1], b.column);
+    w.high[0] = std::max(w.high[0], b.row);
+    w.high[1] = std::max(w.high[1], b.column);
+  }
+  std::size_t size = 0;
+  for (Window& w : windows) {
+    w.first = size;
+    if (w.high[0] < 0) continue;
+    size += static_cast<std::size_t>(w.high[0] - w.low[0] + 1) *
+            static_cast<std::size_t>(w.high[1] - w.low[1] + 1);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const DirectionBins::Bin& b = place_[i];
+    const Window& w = windows[b.face];
+    const std::int32_t at = (b.row - w.low[0]) * (w.high[1] - w.low[1] + 1) + b.column - w.low[1];
+    bin_[i] = static_cast<std::uint32_t>(w.first + static_cast<std::size_t>(at));
+  }
+  return size;
+}
+
 double ZBuffer::visible_share(const double viewpoint[3]) {
   const Cloud& points = surface_.points;
   const std::size_t n = points.size();
@@ -52,14 +85,9 @@ double ZBuffer::visible_share(const double viewpoint[3]) {
   const DirectionBins bins(viewpoint, centroid_.data(),
                            bin_width_ / std::max(mean(range_), bin_width_));
   transform(kernels_, points, bins.to_view(), x_.data(), y_.data(), z_.data());
-  const auto side = static_cast<std::size_t>(bins.side());
-  if (nearest_.size() < 6 * side * side) nearest_.resize(6 * side * side);
-  // Only the bins that hold something are cleared: a distant viewpoint has many that do not.
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto b = bins(x_[i], y_[i], z_[i]);
-    bin_[i] = static_cast<std::uint32_t>((b.face * bins.side() + b.row) * bins.side() + b.column);
-    nearest_[bin_[i]] = std::numeric_limits<float>::infinity();
-  }
+  const std::size_t size = find_bins(bins);
+  if (nearest_.size() < size) nearest_.resize(size);
+  for (std::size_t i = 0; i < n; ++i) nearest_[bin_[i]] = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < n; ++i) nearest_[bin_[i]] = std::min(nearest_[bin_[i]], range_[i]);
   std::size_t seen = 0;
   for (std::size_t i = 0; i < n; ++i) seen += range_[i] <= nearest_[bin_[i]] + allowance_[i];

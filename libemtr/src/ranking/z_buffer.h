@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../surface.h"
+#include "direction_bins.h"
 
 namespace emtr {
 
@@ -24,12 +25,14 @@ class ZBuffer {
 
  private:
   void measure(const double viewpoint[3]);
+  std::size_t find_bins(const DirectionBins& bins);  ///< of all points; how many there may be
 
   const Surface& surface_;
   double bin_width_;
   const Kernels& kernels_;
   std::array<double, 3> centroid_;
   std::vector<float> x_, y_, z_, range_, allowance_;
+  std::vector<DirectionBins::Bin> place_;
   std::vector<std::uint32_t> bin_;
   std::vector<float> nearest_;  // by bin
 };

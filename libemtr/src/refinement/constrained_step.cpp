@@ -3,62 +3,129 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
+#include <limits>
 
 namespace emtr {
 namespace {
 
-constexpr int kMostChanges = 60;
+constexpr int kMostChanges = 100;
 constexpr double kRounding = 1e-13;
+
+/// The dual method of Goldfarb and Idnani (Mathematical Programming 27, 1983): limits that are
+/// broken become active one after the other, and one that is active is dropped as soon as it would
+/// hold the step back from inside. The cost rises from change to change, so none comes twice.
+class ActiveSet {
+ public:
+  ActiveSet(const Matrix6& H, const Vector6& g, const std::vector<Prior::Limit>& limits)
+      : limits_(limits), factor_(H), free_(-factor_.solve(g)) {
+    for (std::size_t k = 0; k < limits.size(); ++k)
+      if (limits[k].equality) active_.push_back(k);
+    fixed_ = active_.size();
+    pull_.assign(fixed_, 0);
+  }
+
+  Vector6 solve() {
+    x_ = at_active();
+    for (changes_ = 0; changes_ < kMostChanges;) {
+      const std::size_t worst = most_broken();
+      if (worst == limits_.size()) break;
+      if (!activate(worst)) break;
+      x_ = at_active();  // without what the steps on the way have rounded
+    }
+    return x_;
+  }
+
+ private:
+  auto normal(std::size_t k) const { return Vector6::Map(limits_[k].J); }
+
+  Eigen::MatrixXd normals() const {  // a column each
+    Eigen::MatrixXd N(6, static_cast<Eigen::Index>(active_.size()));
+    for (std::size_t i = 0; i < active_.size(); ++i)
+      N.col(static_cast<Eigen::Index>(i)) = normal(active_[i]);
+    return N;
+  }
+
+  /// The best step with the active limits as equalities.
+  Vector6 at_active() const {
+    if (active_.empty()) return free_;
+    const Eigen::MatrixXd N = normals(), HN = factor_.solve(N);
+    Eigen::VectorXd room(N.cols());
+    for (std::size_t i = 0; i < active_.size(); ++i)
+      room[static_cast<Eigen::Index>(i)] = i < fixed_ ? 0 : limits_[active_[i]].room;
+    const Eigen::MatrixXd S = N.transpose() * HN;
+    return free_ - HN * S.completeOrthogonalDecomposition().solve(N.transpose() * free_ - room);
+  }
+
+  std::size_t most_broken() const {
+    std::size_t worst = limits_.size();
+    double most = kRounding;
+    for (std::size_t k = 0; k < limits_.size(); ++k) {
+      const double over = normal(k).dot(x_) - limits_[k].room;
+      const bool known = std::find(active_.begin(), active_.end(), k) != active_.end();
+      if (limits_[k].equality || known || over <= most) continue;
+      most = over;
+      worst = k;
+    }
+    return worst;
+  }
+
+  /// False when no step satisfies it together with those that cannot be dropped.
+  bool activate(std::size_t limit) {
+    const Vector6 n = normal(limit), Hn = factor_.solve(n);
+    double pull = 0;
+    while (++changes_ <= kMostChanges) {
+      Vector6 along = Hn;      // the step goes against it as the limit pulls
+      Eigen::VectorXd relief;  // of what the active ones pull
+      if (!active_.empty()) {
+        const Eigen::MatrixXd N = normals(), HN = factor_.solve(N);
+        const Eigen::MatrixXd S = N.transpose() * HN;
+        relief = S.completeOrthogonalDecomposition().solve(N.transpose() * Hn);
+        along -= HN * relief;
+      }
+      double most = std::numeric_limits<double>::infinity();
+      std::size_t loose = active_.size();
+      for (std::size_t i = fixed_; i < active_.size(); ++i) {
+        const double less = relief[static_cast<Eigen::Index>(i)];
+        if (less <= kRounding || pull_[i] / less >= most) continue;
+        most = pull_[i] / less;
+        loose = i;
+      }
+      const double gain = along.dot(n);
+      const bool moves = gain > 1e-12 * Hn.dot(n);
+      const double whole = (n.dot(x_) - limits_[limit].room) / gain;
+      const bool done = moves && whole <= most;
+      if (!done && loose == active_.size()) return false;
+      const double step = done ? whole : most;
+      if (moves) x_ -= step * along;
+      for (std::size_t i = 0; i < active_.size(); ++i)
+        pull_[i] -= step * relief[static_cast<Eigen::Index>(i)];
+      pull += step;
+      if (done) {
+        active_.push_back(limit);
+        pull_.push_back(pull);
+        return true;
+      }
+      active_.erase(active_.begin() + static_cast<std::ptrdiff_t>(loose));
+      pull_.erase(pull_.begin() + static_cast<std::ptrdiff_t>(loose));
+    }
+    return false;
+  }
+
+  const std::vector<Prior::Limit>& limits_;
+  const Eigen::LDLT<Matrix6> factor_;
+  const Vector6 free_;
+  Vector6 x_;
+  std::vector<std::size_t> active_;  // equalities first
+  std::vector<double> pull_;         // multipliers of the active limits
+  std::size_t fixed_ = 0;
+  int changes_ = 0;
+};
 
 }  // namespace
 
 Vector6 constrained_step(const Matrix6& H, const Vector6& g,
                          const std::vector<Prior::Limit>& limits) {
-  const Eigen::LDLT<Matrix6> factor(H);
-  const Vector6 free = -factor.solve(g);
-  std::vector<std::size_t> active;
-  for (std::size_t k = 0; k < limits.size(); ++k)
-    if (limits[k].equality) active.push_back(k);
-  const auto fixed = static_cast<Eigen::Index>(active.size());
-
-  Vector6 x = free;
-  for (int change = 0; change < kMostChanges; ++change) {
-    const auto n = static_cast<Eigen::Index>(active.size());
-    Eigen::MatrixXd J(n, 6);
-    Eigen::VectorXd room(n), pull;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Prior::Limit& limit = limits[active[static_cast<std::size_t>(i)]];
-      J.row(i) = Vector6::Map(limit.J).transpose();
-      room[i] = limit.equality ? 0 : limit.room;
-    }
-    x = free;
-    if (n > 0) {
-      const Eigen::MatrixXd HJ = factor.solve(J.transpose());
-      pull = (J * HJ).completeOrthogonalDecomposition().solve(J * free - room);
-      x -= HJ * pull;
-    }
-    // A limit that holds the step back from inside is none; then the one that is broken most.
-    Eigen::Index loose = -1;
-    for (Eigen::Index i = fixed; i < n; ++i)
-      if (pull[i] < -kRounding && (loose < 0 || pull[i] < pull[loose])) loose = i;
-    if (loose >= 0) {
-      active.erase(active.begin() + loose);
-      continue;
-    }
-    std::size_t worst = limits.size();
-    double most = kRounding;
-    for (std::size_t k = 0; k < limits.size(); ++k) {
-      if (limits[k].equality) continue;
-      const double over = Vector6::Map(limits[k].J).dot(x) - limits[k].room;
-      const bool known = std::find(active.begin(), active.end(), k) != active.end();
-      if (known || over <= most) continue;
-      most = over;
-      worst = k;
-    }
-    if (worst == limits.size()) break;
-    active.push_back(worst);
-  }
-  return x;
+  return ActiveSet(H, g, limits).solve();
 }
 
 }  // namespace emtr

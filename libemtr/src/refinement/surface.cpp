@@ -57,28 +57,6 @@ struct Lattice {
   }
 };
 
-struct Keyed {
-  std::uint64_t key;
-  std::uint32_t row;
-};
-
-/// By key, rows of one key in their order: least significant digit first.
-void radix_sort(std::vector<Keyed>& items, std::uint64_t most) {
-  constexpr int digit = 11;
-  std::vector<Keyed> other(items.size());
-  for (int shift = 0; shift < 64 && (most >> shift); shift += digit) {
-    poll();  // a pass over a million items takes some milliseconds
-    const auto bucket = [shift](const Keyed& item) {
-      return static_cast<std::size_t>(item.key >> shift) & ((std::size_t{1} << digit) - 1);
-    };
-    std::array<std::size_t, (std::size_t{1} << digit) + 1> begin{};
-    for (const Keyed& item : items) ++begin[bucket(item) + 1];
-    for (std::size_t b = 1; b < begin.size(); ++b) begin[b] += begin[b - 1];
-    for (const Keyed& item : items) other[begin[bucket(item)]++] = item;
-    items.swap(other);
-  }
-}
-
 /// The occupied cubes in order, and the running sums of the moments before each of them.
 struct Cubes {
   std::vector<std::uint64_t> keys;
@@ -86,19 +64,19 @@ struct Cubes {
 };
 
 Cubes fill(const Cloud& cloud, const Lattice& lattice) {
-  std::vector<Keyed> items(cloud.size());
+  std::vector<CubeRow> items(cloud.size());
   for (std::size_t i = 0; i < items.size(); ++i) {
     poll_each(i, 14);
     items[i] = {lattice.key(cloud, i), static_cast<std::uint32_t>(i)};
   }
-  radix_sort(items,
-             static_cast<std::uint64_t>(lattice.size[0] * lattice.size[1] * lattice.size[2]));
+  sort_by_cube(items,
+               static_cast<std::uint64_t>(lattice.size[0] * lattice.size[1] * lattice.size[2]));
   Cubes cubes;
   Moments sum{};
-  for (const Keyed& item : items) {
+  for (const CubeRow& item : items) {
     poll_each(static_cast<std::size_t>(&item - items.data()), 14);
-    if (cubes.keys.empty() || item.key != cubes.keys.back()) {
-      cubes.keys.push_back(item.key);
+    if (cubes.keys.empty() || item.cube != cubes.keys.back()) {
+      cubes.keys.push_back(item.cube);
       cubes.before.push_back(sum);
     }
     add(sum, moments_of(cloud.x[item.row], cloud.y[item.row], cloud.z[item.row]));

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "../error.h"
-#include "../features/kdtree_neighbors.h"
+#include "../features/nearest_point.h"
 #include "../frame/cloud_reader.h"
 #include "../team.h"
 
@@ -17,8 +17,6 @@ namespace emtr {
 namespace {
 
 using Point = std::array<double, 3>;
-
-constexpr float kEverywhere = 1e15f;  // its square is a float too
 
 /// The finite points of a cloud in floats, in a box of side 2 about the origin, and their tree.
 class Reference {
@@ -45,23 +43,15 @@ class Reference {
     Cloud cloud;
     cloud.resize(rows_.size());
     std::size_t i = 0;
-    each([&](std::size_t, const double* p) { put({p[0], p[1], p[2]}, cloud, i++); });
-    tree_ = make_kdtree(cloud, kEverywhere);
+    each([&](std::size_t, const double* p) { cloud.set(i++, in_box(p).data()); });
+    tree_ = std::make_unique<const NearestPoint>(cloud);
   }
 
-  /// Of finite points in this cloud's frame.
-  void distances(const std::vector<Point>& points, double* out) const {
-    Cloud queries;
-    queries.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) put(points[i], queries, i);
-    std::vector<std::int32_t> nearest(points.size());
-    std::vector<float> squared(points.size());
-    tree_->nearest(queries.view(), nearest.data(), squared.data());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      double q[3];
-      reader_.read(rows_[static_cast<std::size_t>(nearest[i])], q);
-      out[i] = std::hypot(points[i][0] - q[0], points[i][1] - q[1], points[i][2] - q[2]);
-    }
+  /// Of a finite point in this cloud's frame.
+  double distance(const Point& p) const {
+    double q[3];
+    reader_.read(rows_[(*tree_)(in_box(p.data()).data())], q);
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
   }
 
  private:
@@ -73,16 +63,14 @@ class Reference {
       });
   }
 
-  void put(const Point& p, Cloud& cloud, std::size_t i) const {
+  std::array<float, 3> in_box(const double* p) const {
     Point unit;
     for (std::size_t a = 0; a < 3; ++a) unit[a] = (p[a] - center_[a]) * inverse_;
     if (!is_near(unit.data(), 3))
       throw Error(EMTR_ERROR_ARGUMENT, name_ +
                                            ": a point of the other cloud lies more than a "
                                            "million times its size away");
-    cloud.x[i] = static_cast<float>(unit[0]);
-    cloud.y[i] = static_cast<float>(unit[1]);
-    cloud.z[i] = static_cast<float>(unit[2]);
+    return {static_cast<float>(unit[0]), static_cast<float>(unit[1]), static_cast<float>(unit[2])};
   }
 
   const CloudReader& reader_;
@@ -90,7 +78,7 @@ class Reference {
   std::vector<std::size_t> rows_;  // of the finite points in the caller's memory
   Point center_{};
   double inverse_ = 1;
-  std::unique_ptr<Neighbors> tree_;
+  std::unique_ptr<const NearestPoint> tree_;
 };
 
 Point moved(const double* p, const Rigid& pose) {
@@ -106,15 +94,10 @@ void one_way(const CloudReader& from, const CloudReader& to, const std::string& 
   const Reference reference(to, name);
   std::fill_n(out, from.count(), std::numeric_limits<double>::quiet_NaN());
   in_parallel(from.blocks(), threads, [&](std::size_t block) {
-    std::vector<Point> points;
-    std::vector<std::size_t> rows;
     from.each_finite(block, [&](std::size_t i, const double* p) {
-      points.push_back(moved(p, pose));
-      rows.push_back(block * CloudReader::kBlock + i);
+      poll_each(i, 10);
+      out[block * CloudReader::kBlock + i] = reference.distance(moved(p, pose));
     });
-    std::vector<double> found(points.size());
-    reference.distances(points, found.data());
-    for (std::size_t i = 0; i < rows.size(); ++i) out[rows[i]] = found[i];
   });
 }
 

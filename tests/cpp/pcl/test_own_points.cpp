@@ -5,13 +5,13 @@
 #include "support.h"
 
 /// As a driver of a lidar would have it.
-struct LidarPoint {
+struct EIGEN_ALIGN16 LidarPoint {
   PCL_ADD_POINT4D;
   float intensity;
   std::uint16_t ring;
   double time;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
-} EIGEN_ALIGN16;
+};
 
 POINT_CLOUD_REGISTER_POINT_STRUCT(
     LidarPoint,

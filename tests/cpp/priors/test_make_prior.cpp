@@ -119,6 +119,28 @@ TEST(MakePrior, WhatJustTouchesIsNoContradiction) {
   EXPECT_EQ(refused([](Settings& s) { box(s, 1, 1); }), "");
 }
 
+TEST(MakePrior, ASideWithoutALimitDoesNotBlurTheOthers) {
+  for (const double none : {1e9, 1e12, 1e243, 1.7e308}) {
+    Settings s = emtr::preset("default");
+    box(s, -none, none);
+    s.translation_maximum[2] = 0.25;
+    emtr::Frame frame;
+    frame.scale = 0.1;
+    const auto prior = emtr::make_prior(s, frame);
+    const emtr::Rigid out = prior->project(emtr_test::motion(kNone, {0.5, 0, 3}));
+    EXPECT_NEAR(out.t[2], 2.5, 1e-6) << none;
+    EXPECT_FALSE(prior->admits(emtr_test::motion(kNone, {0.5, 0, 2.50001}))) << none;
+  }
+}
+
+TEST(MakePrior, ABoxOutOfSightIsRefused) {
+  for (const double far : {1.1e7, 1e243, 1.7e308}) {
+    const std::vector<std::string> names = {"translation_minimum", "translation_maximum"};
+    expect_named(refused([&](Settings& s) { box(s, far, 1.7e308); }), names);
+    expect_named(refused([&](Settings& s) { box(s, -1.7e308, -far); }), names);
+  }
+}
+
 TEST(MakePrior, AnAngleMayCrossHalfATurn) {
   Settings s = emtr::preset("default");
   up(s);

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <set>
 
@@ -92,6 +93,19 @@ TEST(Viewpoint, GivenIsTakenAsItIs) {
   EXPECT_EQ(place(front.candidates[0]), (Vector{0, 0, 4}));
   EXPECT_GT(front.visible, 0.95);
   EXPECT_LT(given_viewpoint(seen, {{4, 0, 0}}, kernels()).visible, 0.8);
+}
+
+TEST(Viewpoint, ADistantOneNeedsNoMoreMemory) {
+  const auto peak = [] {
+    rusage use{};
+    getrusage(RUSAGE_SELF, &use);
+    return use.ru_maxrss;  // kB
+  };
+  const Surface surface = scan({0, 0, 100});
+  const long before = peak();
+  for (const double range : {100.0, 1e3, 5e3})
+    EXPECT_GT(emtr::given_viewpoint(surface, {{0, 0, range}}, kernels()).visible, 0.95) << range;
+  EXPECT_LT(peak() - before, 20000);
 }
 
 TEST(Viewpoint, OrientsNormalsToItsSide) {

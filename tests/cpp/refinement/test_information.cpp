@@ -70,7 +70,7 @@ TEST_P(Information, IsTheInverseCovarianceOfRepeatedScans) {
   // runs, and of all together.
   Vector6 single = Vector6::Zero();
   double together = 0;
-  for (const std::uint64_t shape : {5, 11}) {
+  for (const std::uint64_t shape : {5u, 11u}) {
     const Ball ball(shape);
     for (std::uint64_t k = 0; k < repeats; ++k) {
       const emtr_test::Polisher polisher(ball.scan(0.35, 100 + k, points, leaf),

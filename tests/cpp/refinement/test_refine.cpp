@@ -37,7 +37,7 @@ struct Refinement {
 };
 
 TEST(Refine, MendsADegreeAndAHundredth) {
-  for (const std::uint64_t seed : {41, 42, 43}) {
+  for (const std::uint64_t seed : {41u, 42u, 43u}) {
     const Refinement r(seed);
     const emtr::Rigid start = r.off({0.6, -0.6, 0.5}, {0.006, -0.006, 0.005});
     ASSERT_GT(degrees_between(start, r.truth), 0.95);

@@ -88,6 +88,15 @@ TEST(Residuals, OfAPointOnAPointAreZero) {
   for (const double v : out) EXPECT_EQ(v, 0);
 }
 
+/// All points are then as near, but for rounding, and are not to be looked at one by one.
+TEST(Residuals, OfCloudsFarApartAreTheDistancesToo) {
+  const std::size_t n = 100000;
+  const Points target = drawn(8, n, {0, 0, 0}, 1), source = drawn(9, n, {4e5, 3e5, 0}, 1);
+  std::vector<double> out(n);
+  emtr::residuals(view(source), view(target), {}, 2, out.data(), nullptr);
+  for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(out[i], source[i].norm(), 2) << i;
+}
+
 TEST(Residuals, RefuseWhatHasNoAnswer) {
   const Points points = drawn(7, 10, {0, 0, 0}, 1), none, nowhere = {{NAN, 0, 0}},
                away = {{1e7, 0, 0}};
