@@ -57,6 +57,19 @@ def test_both_poses_of_a_symmetric_shape_are_told(twofold):
     assert score == pytest.approx(found.score, rel=0.02) and found.score_gap < 0.02
 
 
+def test_a_lattice_fits_in_many_ways():
+    steps = np.arange(9.0)
+    lattice = np.stack(np.meshgrid(steps, steps, steps), -1).reshape(-1, 3)
+    # In the same order each point would be matched with itself, which is an answer of its own.
+    shuffled = np.random.default_rng(0).permutation(lattice)
+    found = pyemtr.register(shuffled, lattice, threads=2)
+    assert found.reason == "ambiguous" and not found.registered and found.score_gap < 0.02
+    for pose in (found.transformation, *[other.transformation for other in found.alternatives[:3]]):
+        assert (
+            np.abs(np.rint(shapes.apply(pose, lattice)) - shapes.apply(pose, lattice)).max() < 0.1
+        )
+
+
 def test_alternatives_are_other_poses_best_first(twofold):
     found = pyemtr.register(twofold.source, twofold.target, threads=2, escalation="always")
     assert found.escalated is True

@@ -19,6 +19,7 @@ TARGETS = ("emtr_command", "entries", "_emtr")
 class Build:
     name: str
     folder: Path
+    slow: bool = False
 
     @property
     def program(self) -> Path:
@@ -45,7 +46,9 @@ def available(compiler: str) -> bool:
 
 def make(compiler: str, level: str) -> Build:
     """Configures and builds; quick when all is there. CMAKE_ARGS may say more to CMake."""
-    build = Build(f"{compiler} {level}", REPOSITORY / "build" / "bits" / f"{compiler}{level}")
+    build = Build(
+        f"{compiler} {level}", REPOSITORY / "build" / "bits" / f"{compiler}{level}", level == "-O0"
+    )
     c, cxx = COMPILERS[compiler]
     flags = f"{level} -DNDEBUG"
     configure = ["cmake", "-S", str(REPOSITORY), "-B", str(build.folder), "-G", "Ninja"]
