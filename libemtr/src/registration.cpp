@@ -144,14 +144,12 @@ Rigid Registration::admitted(const Rigid& pose) const {
   return prior_ ? prior_->project(pose) : pose;
 }
 
-std::vector<Rigid> Registration::starts() const {
-  std::vector<Rigid> out = guess();
+Starts Registration::starts() const {
   // At least half of the swarm stays where chance put it.
   const auto most =
       static_cast<std::size_t>(std::min(settings_.injected_seeds, settings_.population / 2));
   const std::size_t n = std::min(most, shortlist_.size());
-  out.insert(out.end(), shortlist_.begin(), shortlist_.begin() + static_cast<std::ptrdiff_t>(n));
-  return out;
+  return {guess(), {shortlist_.begin(), shortlist_.begin() + static_cast<std::ptrdiff_t>(n)}};
 }
 
 void Registration::evolve() {

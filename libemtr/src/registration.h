@@ -22,7 +22,7 @@ class Registration {
   void search();                  ///< all that finds poses; Stopped leaves the best so far
   void enter(const char* stage);  ///< tells the caller
   void describe_problem();
-  std::vector<Rigid> starts() const;
+  Starts starts() const;
   void evolve();
   void rank();
   void settle();   ///< on the best candidate

@@ -36,7 +36,8 @@ def test_the_library_knows_every_variant_and_none_is_another_again():
 
 def test_rows_tell_what_is_lost(tmp_path, capsys):
     data, out = accuracy_fakes.write_data(tmp_path), tmp_path / "out.json"
-    assert run(Without(), "--data", data, "--json", out, "--part", "transfer", "seeds") == 0
+    options = ("--data", data, "--json", out, "--transforms", 2)
+    assert run(Without(), *options, "--part", "transfer", "seeds") == 0
     value = json.loads(out.read_text())
     assert value["pairs"] == [["paper", 2], ["standard", 1]] and value["transforms"] == 2
     rows = {(row["block"], row["part"]): row for row in value["rows"]}
@@ -45,16 +46,19 @@ def test_rows_tell_what_is_lost(tmp_path, capsys):
     assert rows[WHOLE, "nothing"]["joint"] == {"standard": 100.0, "paper": 100.0}
     lost = rows[SWARM, "transfer"]
     assert lost["joint_all"] == 50.0 and (lost["registered"], lost["runs"]) == (3, 6)
+    assert (lost["lost"], lost["won"]) == (3, 0)
+    assert all(row["lost"] == row["won"] == 0 for row in rows.values() if row["part"] == "nothing")
     assert "without seeds: transfer" in capsys.readouterr().out
     text = ablation_section(value)
-    assert "| off | paper (2) | standard (1) | all | seconds |" in text
-    assert "| transfer | 50.0 | 50.0 | 50.0 |" in text and "without seeds" in text
+    assert "2 motions a pair" in text
+    assert "| off | paper (2) | standard (1) | all | lost | won | seconds |" in text
+    assert "| transfer | 50.0 | 50.0 | 50.0 | 3 | 0 |" in text and "without seeds" in text
 
 
 def test_a_crash_is_told_and_fails(tmp_path, capsys):
     data = accuracy_fakes.write_data(tmp_path)
     crashing = FakeEngine(crashing=(1,))
-    assert run(crashing, "--data", data, "--part", "seeds") == 1
+    assert run(crashing, "--data", data, "--transforms", 2, "--part", "seeds") == 1
     assert "CRASHED: 3 runs" in capsys.readouterr().out
 
 

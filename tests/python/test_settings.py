@@ -12,6 +12,7 @@ from pyemtr.options import make_settings, settings_used
 
 ALL = pyemtr.settings()
 CLOUD = np.random.default_rng(1).normal(size=(200, 3))
+TURN = np.array([[0.0, 1.0, 0.0], [-0.6, 0.0, 0.8], [0.8, 0.0, 0.6]])
 
 
 def used(**changes):
@@ -48,7 +49,28 @@ def test_the_paper_preset_is_the_method_as_published():
     assert (paper["iterations"], paper["dense_points"], paper["sparse_points"]) == (100, 4000, 600)
     assert paper["seeds"] == paper["injected_seeds"] == paper["candidates"] == 0
     assert paper["escalation"] == "off" and paper["features"] == "pcl"
+    assert paper["rotation_vector_steps"] == paper["arc_transfer"] == "off"
+    assert paper["restart_after"] == 0
     assert paper["refine"] is paper["free_space"] is False
+
+
+def test_swarms_step_in_their_own_way_where_no_particle_starts_at_a_seed():
+    def pose(**changes):
+        few = {"population": 8, "iterations": 12, "candidates": 0, "refine": False}
+        options = {"escalation": "off", **few, **changes}
+        return pyemtr.register(CLOUD, CLOUD[:150] @ TURN, seed=2, **options).transformation
+
+    angles = {"rotation_vector_steps": "off", "arc_transfer": "off"}
+    assert np.array_equal(pose(), pose(**angles))
+    alone = pose(seeds=0)
+    assert not np.array_equal(alone, pose(seeds=0, **angles))
+    assert np.array_equal(
+        alone, pose(seeds=0, rotation_vector_steps="always", arc_transfer="always")
+    )
+    for one in angles:
+        assert not np.array_equal(alone, pose(seeds=0, **{one: "off"}))
+    assert np.array_equal(pose(), pose(restart_after=1))
+    assert not np.array_equal(alone, pose(seeds=0, restart_after=1))
 
 
 @settings(max_examples=300, deadline=None)

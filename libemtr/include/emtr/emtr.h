@@ -112,10 +112,21 @@ typedef struct emtr_settings {
   double cognitive;      /* c1 */
   double social;         /* c2 */
   double velocity_limit; /* share of each gene's range */
+  /* rotations of both swarms step by rotation vectors, in the tangent space of SO(3), instead of
+   * by Euler angles: 0 off, 1 where no particle starts at a seed, 2 always. Where a prior limits
+   * the rotation the genes are made for that, and step as they are */
+  int32_t rotation_vector_steps;
+  /* where no particle starts at a seed, after so many iterations without a better best of task
+   * alpha, particles of both swarms are drawn anew; 0: never */
+  int32_t restart_after;
+  double restart_share; /* of each swarm, those with the worst bests */
 
   /* knowledge transfer and complement (Algorithm 2) */
   int32_t transfer;            /* 0: the tasks do not talk (ablation) */
   double transfer_probability; /* rmp */
+  /* the rotation of a guide lies on the shortest arc between the two bests, instead of between
+   * their angles: 0 off, 1 where no particle starts at a seed, 2 always */
+  int32_t arc_transfer;
   double lambda_alpha_start;
   double lambda_alpha_end;
   double lambda_beta_start;

@@ -29,7 +29,7 @@ std::vector<Rigid> escalated_seeds(const NormalisedPair& pair, const Viewpoints&
                                    const Kernels& kernels, int threads) {
   Settings many = settings;
   many.dense_points = settings.escalation_points;
-  const Densities d = thin(pair, many);
+  const Densities d = thin_dense(pair, many);
   const bool trust = trust_normals(pair);
   const Features source = describe_towards(d.source_dense, d.source_normals, trust, of_source,
                                            d.leaf_dense, settings, kernels, threads);

@@ -51,7 +51,7 @@ Candidate Pool::judged(const Rigid& start, Scratch& scratch) const {
   const auto quick = [&](const Rigid& pose) {
     return ranking.quick(pose, Surfaces::kQuickStep, scratch.ranking).score;
   };
-  Rigid pose = surfaces_.polish()(start, scratch.polish, 1, prior_).pose;
+  Rigid pose = surfaces_.polish()(start, prior_, scratch.polish).pose;
   if (quick(pose) < quick(start)) pose = start;  // polish can run off along a plane
   const Ranking::Value v = ranking.evaluate(pose, scratch.ranking);
   return {pose, v.fit, v.violation, v.score};

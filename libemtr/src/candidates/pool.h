@@ -24,8 +24,7 @@ inline const Rigid& pose_of(const Candidate& candidate) { return candidate.pose;
 class Pool {
  public:
   /// Both must outlive the pool. With a prior all poses are to keep to it, and do so when polished.
-  explicit Pool(const Surfaces& surfaces, const Prior* prior = nullptr)
-      : surfaces_(surfaces), prior_(prior) {}
+  Pool(const Surfaces& surfaces, const Prior* prior) : surfaces_(surfaces), prior_(prior) {}
 
   /// The `most` poses with the best quick score that are no copies of each other, best first.
   std::vector<Rigid> shortlist(const std::vector<Rigid>& poses, std::size_t most, Team& team) const;

@@ -16,7 +16,7 @@ class CandidateSearch {
  public:
   /// All arguments must outlive it. `prior`: what all candidates are to keep to, or null.
   CandidateSearch(const NormalisedPair& pair, const Surfaces& surfaces, const Settings& settings,
-                  const Kernels& kernels, const Prior* prior = nullptr);
+                  const Kernels& kernels, const Prior* prior);
 
   /// The seeds with the best quick score, no copies; see admissible().
   std::vector<Rigid> shortlist(const std::vector<Seed>& seeds) const;

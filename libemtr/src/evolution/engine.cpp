@@ -5,29 +5,44 @@
 
 #include "../team.h"
 #include "knowledge_transfer.h"
+#include "restarts.h"
 
 namespace emtr {
 namespace {
 
+enum Use { Off, Auto, Always };
+
+/// A setting for swarms that nothing but chance has placed.
+bool in_use(int setting, bool seeded) { return setting == Always || (setting == Auto && !seeded); }
+
+RotationSteps steps(const Settings& settings, const SearchSpace& space, bool seeded) {
+  const bool vectors = in_use(settings.rotation_vector_steps, seeded) && space.has_euler_angles();
+  return vectors ? RotationSteps::Vector : RotationSteps::Angles;
+}
+
 class Engine {
  public:
   Engine(const TaskAlpha& alpha, const TaskBeta& beta, const KnowledgeComplement& complement,
-         const Settings& settings, const Prior* prior, std::size_t threads, Team& team)
+         const Settings& settings, const Prior* prior, bool seeded, std::size_t threads, Team& team)
       : team_(team),
         alpha_(alpha),
         beta_(beta),
         settings_(settings),
         space_(settings.translation_bound, prior),
-        transfer_(complement, space_, settings),
-        poses_(space_.pose_genes(), settings, Stream::Alpha),
-        rotations_(space_.rotation_genes(), settings, Stream::Beta),
+        transfer_(complement, space_, settings, in_use(settings.arc_transfer, seeded)),
+        poses_(space_.pose_genes(), settings, Stream::Alpha, steps(settings, space_, seeded)),
+        rotations_(space_.rotation_genes(), settings, Stream::Beta,
+                   steps(settings, space_, seeded)),
+        restarts_(seeded ? 0 : settings.restart_after, settings.restart_share),
         scratch_(threads),
         stage_(settings.sparse_to_dense ? EMTR_STAGE_SPARSE : EMTR_STAGE_DENSE) {}
 
-  void place(const std::vector<Rigid>& starts) {
-    for (std::size_t i = 0; i < std::min(starts.size(), poses_.size()); ++i) {
+  void place(const Starts& starts) {
+    std::vector<Rigid> all = starts.guesses;
+    all.insert(all.end(), starts.seeds.begin(), starts.seeds.end());
+    for (std::size_t i = 0; i < std::min(all.size(), poses_.size()); ++i) {
       double particle[6];
-      space_.encode(starts[i], particle);
+      space_.encode(all[i], particle);
       poses_.place(i, particle);
       rotations_.place(i, particle);
     }
@@ -45,15 +60,13 @@ class Engine {
         out_.history_alpha.push_back(poses_.gbest_fitness());
         out_.history_beta.push_back(rotations_.gbest_fitness());
         move(it);
+        restarts_.after(it, poses_, rotations_);
         out_.stopped = on_iteration(it + 1, poses_.gbest_fitness(), rotations_.gbest_fitness());
       }
     } catch (const Stopped&) {  // in the midst of an iteration: the pbests are those before it
       out_.stopped = true;
     }
-    const std::size_t remembered = out_.history_alpha.empty() ? 0 : poses_.size();
-    for (std::size_t i = 0; i < remembered; ++i)
-      out_.hypotheses.push_back({space_.pose(poses_.best_position(i)), poses_.best_fitness(i)});
-    out_.best = poses_.gbest();
+    if (!out_.history_alpha.empty()) remember();
     out_.stage = stage_;
     out_.lookups_complement = transfer_.lookups();
     return std::move(out_);
@@ -76,17 +89,31 @@ class Engine {
     out_.lookups_evaluation += n * alpha_.lookups(stage_);
   }
 
+  void remember() {
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      if (poses_.best_fitness(i) == HUGE_VAL) continue;  // drawn anew, and not evaluated since
+      if (i == poses_.gbest()) out_.best = out_.hypotheses.size();
+      out_.hypotheses.push_back({space_.pose(poses_.best_position(i)), poses_.best_fitness(i)});
+    }
+    for (const Restarts::Left& left : restarts_.left())
+      out_.hypotheses.push_back({space_.pose(left.position.data()), left.fitness});
+  }
+
   /// Lines 22-26: the pbests are scored anew; the positions are in this iteration's evaluation
   /// anyway, and update_bests() then makes each pbest the better of the two.
   void become_dense() {
-    std::vector<double> fitness(poses_.size());
-    team_.parallel(poses_.size(), [&](std::size_t i, std::size_t thread) {
-      fitness[i] =
-          alpha_.evaluate(EMTR_STAGE_DENSE, space_.pose(poses_.best_position(i)), scratch_[thread]);
+    const std::size_t n = poses_.size();
+    auto& left = restarts_.left();
+    std::vector<double> fitness(n);
+    team_.parallel(n + left.size(), [&](std::size_t i, std::size_t thread) {
+      const double* genes = i < n ? poses_.best_position(i) : left[i - n].position.data();
+      (i < n ? fitness[i] : left[i - n].fitness) =
+          alpha_.evaluate(EMTR_STAGE_DENSE, space_.pose(genes), scratch_[thread]);
     });
     stage_ = EMTR_STAGE_DENSE;
     poses_.set_best_fitness(fitness);
-    out_.lookups_switch += poses_.size() * alpha_.lookups(stage_);
+    restarts_.objective_changed();
+    out_.lookups_switch += (n + left.size()) * alpha_.lookups(stage_);
   }
 
   void move(int it) {
@@ -110,6 +137,7 @@ class Engine {
   const SearchSpace space_;
   KnowledgeTransfer transfer_;
   Swarm poses_, rotations_;
+  Restarts restarts_;
   std::vector<TaskAlpha::Scratch> scratch_;
   emtr_stage stage_;
   bool beta_changed_ = false;  // since the complement was last worked out
@@ -120,13 +148,12 @@ class Engine {
 
 Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const KnowledgeComplement& complement, const Settings& settings,
-                 const std::vector<Rigid>& starts, const OnIteration& on_iteration,
-                 const Prior* prior) {
+                 const Starts& starts, const OnIteration& on_iteration, const Prior* prior) {
   Evolution out;
   const int threads = thread_count(settings);
   Team::with(threads, [&](Team& team) {
-    Engine engine(alpha, beta, complement, settings, prior, static_cast<std::size_t>(threads),
-                  team);
+    Engine engine(alpha, beta, complement, settings, prior, !starts.seeds.empty(),
+                  static_cast<std::size_t>(threads), team);
     engine.place(starts);
     out = engine.run(on_iteration);
   });

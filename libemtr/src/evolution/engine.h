@@ -18,10 +18,17 @@ struct Hypothesis {
   double fitness;  ///< task alpha's, at `stage` of the evolution
 };
 
+/// Poses that take the first particles' places in both swarms, as many as there are.
+struct Starts {
+  std::vector<Rigid> guesses;  ///< the caller's
+  std::vector<Rigid> seeds;    ///< the matches'
+};
+
 /// What the evolution leaves behind.
 struct Evolution {
-  std::vector<Hypothesis> hypotheses;  ///< pbests of alpha; empty if stopped before the first
-  std::size_t best = 0;                ///< gbest among them
+  /// Pbests of alpha, also those from before a restart; empty if stopped before the first.
+  std::vector<Hypothesis> hypotheses;
+  std::size_t best = 0;  ///< gbest among them
   emtr_stage stage = EMTR_STAGE_SPARSE;
   bool stopped = false;
   std::vector<double> history_alpha, history_beta;  ///< gbest's fitness after each iteration
@@ -32,11 +39,9 @@ struct Evolution {
 using OnIteration = std::function<bool(int, double, double)>;
 
 /// Algorithm 1: both swarms evolve together, work spread over the particles of both tasks.
-/// `starts`: poses that take the first particles' places in both swarms, as many as there are.
 /// `prior`: what all particles are to keep to, or null.
 Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const KnowledgeComplement& complement, const Settings& settings,
-                 const std::vector<Rigid>& starts, const OnIteration& on_iteration,
-                 const Prior* prior = nullptr);
+                 const Starts& starts, const OnIteration& on_iteration, const Prior* prior);
 
 }  // namespace emtr

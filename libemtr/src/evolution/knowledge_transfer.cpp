@@ -42,21 +42,24 @@ KnowledgeTransfer::Guides KnowledgeTransfer::exchange(int iteration, const Swarm
                           settings_.iterations);
   const double lb = share(settings_.lambda_beta_start, settings_.lambda_beta_end, iteration,
                           settings_.iterations);
-  double beta_seen_by_alpha[3], alpha_seen_by_beta[3];
-  space_.nearest_alias(b, a, beta_seen_by_alpha);
-  space_.nearest_alias(a, b, alpha_seen_by_beta);
   Guides guides;
+  mix(a, b, la, guides.alpha.data());
+  mix(b, a, lb, guides.beta.data());
   const std::size_t angles = space_.angles();
-  for (std::size_t k = 0; k < angles; ++k) {
-    guides.alpha[k] = la * a[k] + (1 - la) * beta_seen_by_alpha[k];
-    guides.beta[k] = lb * b[k] + (1 - lb) * alpha_seen_by_beta[k];
-  }
   // Without the complement alpha keeps its own translation.
   for (std::size_t k = 0; k < 3; ++k) {
     const double own = a[angles + k];
     guides.alpha[angles + k] = settings_.complement ? la * own + (1 - la) * translation_[k] : own;
   }
   return guides;
+}
+
+void KnowledgeTransfer::mix(const double* own, const double* other, double share,
+                            double* out) const {
+  if (arc_) return space_.arc(own, other, 1 - share, out);
+  double seen[3];
+  space_.nearest_alias(other, own, seen);
+  for (std::size_t k = 0; k < space_.angles(); ++k) out[k] = share * own[k] + (1 - share) * seen[k];
 }
 
 }  // namespace emtr

@@ -14,9 +14,10 @@ namespace emtr {
 /// gbest's place in the velocities of that iteration only; pbest and gbest stay as they are.
 class KnowledgeTransfer {
  public:
+  /// `arc`: along the shortest arc between both rotations, instead of gene by gene.
   KnowledgeTransfer(const KnowledgeComplement& complement, const SearchSpace& space,
-                    const Settings& settings)
-      : complement_(complement), space_(space), settings_(settings) {}
+                    const Settings& settings, bool arc)
+      : complement_(complement), space_(space), settings_(settings), arc_(arc) {}
 
   struct Guides {  ///< as many of them as the swarm has genes
     std::array<double, 6> alpha;
@@ -37,9 +38,13 @@ class KnowledgeTransfer {
   std::uint64_t lookups() const { return lookups_; }
 
  private:
+  /// The rotation of a guide: `share` of one's own, the rest of the other's.
+  void mix(const double* own, const double* other, double share, double* out) const;
+
   const KnowledgeComplement& complement_;
   const SearchSpace& space_;
   Settings settings_;
+  bool arc_;
   bool known_ = false;
   std::array<double, 3> translation_{};
   std::uint64_t lookups_ = 0;

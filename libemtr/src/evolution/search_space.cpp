@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../rotation_vector.h"
 #include "../tasks/euler.h"
 
 namespace emtr {
@@ -13,21 +14,6 @@ using Eigen::Vector3d;
 using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double kPi = 3.14159265358979323846;
-
-Quaterniond exponential(const Vector3d& vector) {
-  const double angle = vector.norm();
-  return angle > 0 ? Quaterniond(Eigen::AngleAxisd(angle, vector / angle))
-                   : Quaterniond::Identity();
-}
-
-Vector3d logarithm(const Quaterniond& q) {
-  const Eigen::AngleAxisd turn(q);
-  return (turn.angle() > kPi ? turn.angle() - 2 * kPi : turn.angle()) * turn.axis();
-}
-
-Quaterniond quaternion(const double R[9]) {
-  return Quaterniond(Eigen::Matrix3d(Eigen::Map<const Rotation>(R)));
-}
 
 /// A range cut to another; its nearest end where they do not meet.
 Gene cut(double low, double high, double least, double most) {
@@ -145,6 +131,18 @@ void SearchSpace::encode(const Rigid& pose, double* genes) const {
 void SearchSpace::encode_translation(const Rigid& pose, double* genes) const {
   std::copy_n(pose.t, 3, genes);
   if (prior_) Vector3d::Map(genes) -= shift(pose.R);
+}
+
+void SearchSpace::arc(const double* from, const double* to, double share, double* out) const {
+  Rigid a, b;
+  rotation(from, a.R);
+  rotation(to, b.R);
+  // Eigen's slerp takes the shorter of the two ways.
+  Eigen::Map<Rotation>(a.R) =
+      quaternion(a.R).slerp(share, quaternion(b.R)).normalized().toRotationMatrix();
+  double genes[6];
+  encode(a, genes);
+  nearest_alias(genes, from, out);
 }
 
 void SearchSpace::nearest_alias(const double* genes, const double* reference, double* out) const {

@@ -31,6 +31,13 @@ class SearchSpace {
   /// Of all genes for the same rotation those nearest to `reference`.
   void nearest_alias(const double* genes, const double* reference, double* out) const;
 
+  /// The rotation that lies `share` of the way from one to another, along the shortest arc, as the
+  /// genes for it nearest to `from`.
+  void arc(const double* from, const double* to, double share, double* out) const;
+
+  /// Whether a rotation's genes are Euler angles: no limit of the rotation is known.
+  bool has_euler_angles() const { return chart_ == Chart::Euler; }
+
   const Prior* prior() const { return prior_; }
 
  private:

@@ -1,6 +1,7 @@
 #include "swarm.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace emtr {
@@ -16,22 +17,34 @@ std::vector<Gene> pose_genes(double bound) {
   return genes;
 }
 
-Swarm::Swarm(std::vector<Gene> genes, const Settings& settings, Stream stream)
-    : genes_(std::move(genes)), settings_(settings), stream_(stream) {
+Swarm::Swarm(std::vector<Gene> genes, const Settings& settings, Stream stream, RotationSteps steps)
+    : genes_(std::move(genes)),
+      settings_(settings),
+      stream_(stream),
+      turning_(steps == RotationSteps::Vector ? 3 : 0) {
   const auto population = static_cast<std::size_t>(settings.population);
-  const std::size_t d = genes_.size();
-  position_.resize(population * d);
-  velocity_.resize(population * d);
+  position_.resize(population * dimensions());
+  velocity_.resize(population * dimensions());
   fitness_.assign(population, HUGE_VAL);
   best_fitness_.assign(population, HUGE_VAL);
-  for (std::size_t i = 0; i < population; ++i)
-    for (std::size_t k = 0; k < d; ++k) {
-      const auto word = draw(settings.seed, 0, stream, i, k);
-      const double range = genes_[k].high - genes_[k].low;
-      position_[i * d + k] = genes_[k].low + range * uniform(word[0]);
-      velocity_[i * d + k] = settings.velocity_limit * range * (2 * uniform(word[1]) - 1);
-    }
+  for (std::size_t i = 0; i < population; ++i) draw_particle(i, 0, 0);
   best_position_ = position_;
+}
+
+void Swarm::draw_particle(std::size_t i, std::uint64_t iteration, std::size_t word) {
+  const std::size_t d = dimensions();
+  for (std::size_t k = 0; k < d; ++k) {
+    const auto words = draw(settings_.seed, iteration, stream_, i, k);
+    const double range = genes_[k].high - genes_[k].low;
+    position_[i * d + k] = genes_[k].low + range * uniform(words[word]);
+    velocity_[i * d + k] = velocity_limit(k) * (2 * uniform(words[word + 1]) - 1);
+  }
+}
+
+double Swarm::velocity_limit(std::size_t gene) const {
+  constexpr double turn = 2 * 3.14159265358979323846;
+  const double range = gene < turning_ ? turn : genes_[gene].high - genes_[gene].low;
+  return settings_.velocity_limit * range;
 }
 
 void Swarm::place(std::size_t i, const double* position) {
@@ -57,24 +70,59 @@ bool Swarm::update_bests() {
 
 void Swarm::move(int iteration, double inertia, const double* guide) {
   const std::size_t d = dimensions();
-  for (std::size_t i = 0; i < size(); ++i)
+  std::array<double, 6> to_best, to_guide;
+  for (std::size_t i = 0; i < size(); ++i) {
+    double* x = &position_[i * d];
+    double* v = &velocity_[i * d];
+    difference(x, best_position(i), to_best.data());
+    difference(x, guide, to_guide.data());
     for (std::size_t k = 0; k < d; ++k) {
-      const Gene& gene = genes_[k];
       // Iteration 0 of the counter was the initial population's.
       const auto word =
           draw(settings_.seed, static_cast<std::uint64_t>(iteration) + 1, stream_, i, k);
-      double& x = position_[i * d + k];
-      double& v = velocity_[i * d + k];
-      const double limit = settings_.velocity_limit * (gene.high - gene.low);
-      v = inertia * v + settings_.cognitive * uniform(word[0]) * (best_position_[i * d + k] - x) +
-          settings_.social * uniform(word[1]) * (guide[k] - x);
-      v = std::clamp(v, -limit, limit);
-      x += v;
-      if (gene.wall && (x < gene.low || x > gene.high)) {
-        x = std::clamp(x, gene.low, gene.high);
-        v = 0;
-      }
+      v[k] = inertia * v[k] + settings_.cognitive * uniform(word[0]) * to_best[k] +
+             settings_.social * uniform(word[1]) * to_guide[k];
+      v[k] = std::clamp(v[k], -velocity_limit(k), velocity_limit(k));
     }
+    advance(x, v);
+  }
+}
+
+void Swarm::difference(const double* from, const double* to, double* out) const {
+  if (turning_) rotation_between(from, to, out);
+  for (std::size_t k = turning_; k < dimensions(); ++k) out[k] = to[k] - from[k];
+}
+
+void Swarm::advance(double* x, double* v) const {
+  if (turning_) turn(x, v);
+  for (std::size_t k = turning_; k < dimensions(); ++k) {
+    const Gene& gene = genes_[k];
+    x[k] += v[k];
+    if (gene.wall && (x[k] < gene.low || x[k] > gene.high)) {
+      x[k] = std::clamp(x[k], gene.low, gene.high);
+      v[k] = 0;
+    }
+  }
+}
+
+std::vector<std::size_t> Swarm::worst(double share) const {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < size(); ++i)
+    if (i != gbest_) out.push_back(i);
+  std::stable_sort(out.begin(), out.end(), [this](std::size_t a, std::size_t b) {
+    return best_fitness_[a] > best_fitness_[b];
+  });
+  const auto most = static_cast<std::size_t>(share * static_cast<double>(size()));
+  out.resize(std::min(out.size(), most));
+  return out;
+}
+
+void Swarm::restart(std::size_t i, int iteration) {
+  // The other two words of the block that its last step was made of.
+  draw_particle(i, static_cast<std::uint64_t>(iteration) + 1, 2);
+  const std::size_t d = dimensions();
+  std::copy_n(&position_[i * d], d, &best_position_[i * d]);
+  best_fitness_[i] = HUGE_VAL;
 }
 
 }  // namespace emtr

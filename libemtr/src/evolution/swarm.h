@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "../settings.h"
 #include "philox.h"
+#include "rotation_step.h"
 
 namespace emtr {
 
@@ -18,11 +20,11 @@ struct Gene {
 std::vector<Gene> rotation_genes();                      ///< task beta's three
 std::vector<Gene> pose_genes(double translation_bound);  ///< task alpha's six
 
-/// One population of particle swarm optimisation, minimising. Knows nothing of
-/// what a particle means.
+/// One population of particle swarm optimisation, minimising. Knows nothing of what a particle
+/// means, but that its first three genes are Euler angles when they step by rotation vectors.
 class Swarm {
  public:
-  Swarm(std::vector<Gene> genes, const Settings& settings, Stream stream);
+  Swarm(std::vector<Gene> genes, const Settings& settings, Stream stream, RotationSteps steps);
 
   std::size_t size() const { return fitness_.size(); }
   std::size_t dimensions() const { return genes_.size(); }
@@ -46,13 +48,26 @@ class Swarm {
   const double* gbest_position() const { return best_position(gbest_); }
   double gbest_fitness() const { return best_fitness_[gbest_]; }
 
-  /// v <- w v + c1 r1 (pbest - x) + c2 r2 (guide - x), x <- x + v.
+  /// v <- w v + c1 r1 (pbest - x) + c2 r2 (guide - x), x <- x + v. Of rotations that step by
+  /// vectors v and both differences are rotation vectors, and the sum is exp(v) R(x).
   void move(int iteration, double inertia, const double* guide);
 
+  /// The particles with the worst pbests, `share` of all and never gbest, worst first.
+  std::vector<std::size_t> worst(double share) const;
+
+  /// Draws a particle's position and velocity anew; it has no pbest until it is evaluated.
+  void restart(std::size_t i, int iteration);
+
  private:
+  void draw_particle(std::size_t i, std::uint64_t iteration, std::size_t word);
+  double velocity_limit(std::size_t gene) const;
+  void difference(const double* from, const double* to, double* out) const;
+  void advance(double* position, double* velocity) const;
+
   std::vector<Gene> genes_;
   Settings settings_;
   Stream stream_;
+  std::size_t turning_;  // leading genes that step by a rotation vector, 0 or 3
   std::vector<double> position_, velocity_, best_position_;
   std::vector<double> fitness_, best_fitness_;
   std::size_t gbest_ = 0;

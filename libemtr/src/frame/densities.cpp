@@ -73,47 +73,76 @@ void require_some_left(const Cloud& cloud, const char* name, double leaf, double
                   ": it has too few points, or is too small beside the other");
 }
 
+/// One leaf for both clouds, and their voxel counts, which both densities ask for.
+class Thinning {
+ public:
+  Thinning(const NormalisedPair& pair, const Settings& settings)
+      : pair_(pair),
+        settings_(settings),
+        // Both clouds are filtered at once where that is worth waking a thread for.
+        threads_(pair.source.size() + pair.target.size() > 200000
+                     ? std::min(2, thread_count(settings))
+                     : 1),
+        counters_{VoxelCounter(pair.source), VoxelCounter(pair.target)} {}
+
+  void dense(Densities& out) {
+    // Two half balls of radius 1 have a surface of some 10.
+    poll();
+    const auto count = [&](float leaf) { return counters_[0](leaf) + counters_[1](leaf); };
+    out.leaf_dense = find_leaf(count, settings_.dense_points, finest_leaf(pair_, settings_),
+                               std::sqrt(10.0 / settings_.dense_points));
+    thin_both(out.leaf_dense, out.source_dense, out.target_dense);
+
+    const auto mean_of = [&](const Cloud& cloud, const Cloud& normals) {
+      return normals.size() ? mean_normals(cloud, normals, static_cast<float>(out.leaf_dense))
+                            : Cloud();
+    };
+    out.source_normals = mean_of(pair_.source, pair_.prepared_source->normals);
+    out.target_normals = mean_of(pair_.target, pair_.prepared_target->normals);
+
+    require_some_left(out.source_dense, "source", out.leaf_dense, pair_.frame.scale);
+    require_some_left(out.target_dense, "target", out.leaf_dense, pair_.frame.scale);
+  }
+
+  void sparse(Densities& out) {
+    // A cloud too coarse for the dense count keeps the ratio of sparse to dense, on which the
+    // paper's saving rests.
+    const double dense = static_cast<double>(out.source_dense.size() + out.target_dense.size());
+    const double wanted = settings_.sparse_points * std::min(1.0, dense / settings_.dense_points);
+    const double source_dense = static_cast<double>(out.source_dense.size());
+    out.leaf_sparse = find_leaf([&](float leaf) { return counters_[0](leaf); }, wanted,
+                                out.leaf_dense, out.leaf_dense * std::sqrt(source_dense / wanted));
+    thin_both(out.leaf_sparse, out.source_sparse, out.target_sparse);
+  }
+
+ private:
+  void thin_both(double leaf, Cloud& source, Cloud& target) const {
+    const Cloud* const clouds[2] = {&pair_.source, &pair_.target};
+    Cloud* const thinned[2] = {&source, &target};
+    in_parallel(2, threads_, [&](std::size_t i) {
+      *thinned[i] = voxel_grid(*clouds[i], static_cast<float>(leaf));
+    });
+  }
+
+  const NormalisedPair& pair_;
+  const Settings& settings_;
+  int threads_;
+  VoxelCounter counters_[2];
+};
+
 }  // namespace
 
 Densities thin(const NormalisedPair& pair, const Settings& settings) {
   Densities out;
-  // Both clouds are filtered at once where that is worth waking a thread for.
-  const bool large = pair.source.size() + pair.target.size() > 200000;
-  const int threads = large ? std::min(2, thread_count(settings)) : 1;
-  const Cloud* const clouds[2] = {&pair.source, &pair.target};
-  VoxelCounter counters[2] = {VoxelCounter(pair.source), VoxelCounter(pair.target)};
-  const auto dense_count = [&](float leaf) { return counters[0](leaf) + counters[1](leaf); };
-  const auto thin_both = [&](double leaf, Cloud& source, Cloud& target) {
-    Cloud* const thinned[2] = {&source, &target};
-    in_parallel(2, threads, [&](std::size_t i) {
-      *thinned[i] = voxel_grid(*clouds[i], static_cast<float>(leaf));
-    });
-  };
+  Thinning thinning(pair, settings);
+  thinning.dense(out);
+  thinning.sparse(out);
+  return out;
+}
 
-  // Two half balls of radius 1 have a surface of some 10.
-  poll();
-  out.leaf_dense = find_leaf(dense_count, settings.dense_points, finest_leaf(pair, settings),
-                             std::sqrt(10.0 / settings.dense_points));
-  thin_both(out.leaf_dense, out.source_dense, out.target_dense);
-
-  const auto mean_of = [&](const Cloud& cloud, const Cloud& normals) {
-    return normals.size() ? mean_normals(cloud, normals, static_cast<float>(out.leaf_dense))
-                          : Cloud();
-  };
-  out.source_normals = mean_of(pair.source, pair.prepared_source->normals);
-  out.target_normals = mean_of(pair.target, pair.prepared_target->normals);
-
-  require_some_left(out.source_dense, "source", out.leaf_dense, pair.frame.scale);
-  require_some_left(out.target_dense, "target", out.leaf_dense, pair.frame.scale);
-
-  // A cloud too coarse for the dense count keeps the ratio of sparse to dense, on which the
-  // paper's saving rests.
-  const double dense = static_cast<double>(out.source_dense.size() + out.target_dense.size());
-  const double sparse = settings.sparse_points * std::min(1.0, dense / settings.dense_points);
-  const double source_dense = static_cast<double>(out.source_dense.size());
-  out.leaf_sparse = find_leaf([&](float leaf) { return counters[0](leaf); }, sparse, out.leaf_dense,
-                              out.leaf_dense * std::sqrt(source_dense / sparse));
-  thin_both(out.leaf_sparse, out.source_sparse, out.target_sparse);
+Densities thin_dense(const NormalisedPair& pair, const Settings& settings) {
+  Densities out;
+  Thinning(pair, settings).dense(out);
   return out;
 }
 

@@ -16,4 +16,7 @@ struct Densities {
 
 Densities thin(const NormalisedPair& pair, const Settings& settings);
 
+/// The dense clouds alone: the sparse ones stay empty.
+Densities thin_dense(const NormalisedPair& pair, const Settings& settings);
+
 }  // namespace emtr

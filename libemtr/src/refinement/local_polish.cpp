@@ -162,16 +162,16 @@ void LocalPolish::look(const Look& at, Scratch& s, Team& team, Polished& out) co
   out.rmse = sums.weights > 0 ? std::sqrt(sums.squares / sums.weights) : 0;
 }
 
-Polished LocalPolish::operator()(const Rigid& start, Scratch& s, int threads,
-                                 const Prior* prior) const {
+Polished LocalPolish::operator()(const Rigid& start, const Prior* prior, Scratch& s,
+                                 int threads) const {
   Polished out;
-  const auto body = [&](Team& team) { out = polished(start, s, team, prior); };
+  const auto body = [&](Team& team) { out = polished(start, prior, s, team); };
   Team::with(threads, std::ref(body));
   return out;
 }
 
-Polished LocalPolish::polished(const Rigid& start, Scratch& s, Team& team,
-                               const Prior* prior) const {
+Polished LocalPolish::polished(const Rigid& start, const Prior* prior, Scratch& s,
+                               Team& team) const {
   double T[16];
   to_matrix(start, T);
   require(is_rigid(T), "expected a finite rigid pose at the start");

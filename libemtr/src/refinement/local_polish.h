@@ -83,8 +83,8 @@ class LocalPolish {
   /// is not a finite rigid pose.
   /// With a prior, of which the start is a pose, each step is the best one within it, and the end
   /// an optimum among its poses.
-  Polished operator()(const Rigid& start, Scratch& scratch, int threads = 1,
-                      const Prior* prior = nullptr) const;
+  Polished operator()(const Rigid& start, const Prior* prior, Scratch& scratch,
+                      int threads = 1) const;
 
   /// How many pairs of a polished pose say as much as one that is independent of all others, at
   /// least 1: found from both sides, they come twice, and neighbours share points and normals. It
@@ -108,8 +108,7 @@ class LocalPolish {
   };
 
   static Side prepare(const Surface& surface, const Neighbors* near_other, const Polish& settings);
-  Polished polished(const Rigid& start, Scratch& scratch, Team& team,
-                    const Prior* prior = nullptr) const;
+  Polished polished(const Rigid& start, const Prior* prior, Scratch& scratch, Team& team) const;
   void look(const Look& at, Scratch& scratch, Team& team, Polished& out) const;
   template <class Visit>
   void each_pair(const Look& at, bool reversed, std::size_t begin, std::size_t end,

@@ -11,7 +11,7 @@ Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& set
   const LocalPolish polished(fine.source, fine.target, fine.near_source.get(),
                              fine.near_target.get(), Polish(), kernels);
   LocalPolish::Scratch scratch;
-  const Polished p = polished(start, scratch, thread_count(settings), prior);
+  const Polished p = polished(start, prior, scratch, thread_count(settings));
 
   Refined out;
   out.pose = start;

@@ -19,6 +19,6 @@ struct Refined {
 
 /// `prior`: what the pose keeps to, as the start does, or null.
 Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& settings,
-               const Kernels& kernels, const Prior* prior = nullptr);
+               const Kernels& kernels, const Prior* prior);
 
 }  // namespace emtr

@@ -40,8 +40,9 @@ class Pool : public testing::Test {
 
   static std::vector<Rigid> shortlist(std::size_t most, int threads = 1) {
     std::vector<Rigid> out;
-    Team::with(threads,
-               [&](Team& team) { out = emtr::Pool(surfaces()).shortlist(poses(), most, team); });
+    Team::with(threads, [&](Team& team) {
+      out = emtr::Pool(surfaces(), nullptr).shortlist(poses(), most, team);
+    });
     return out;
   }
 
@@ -83,7 +84,7 @@ TEST_F(Pool, AShortlistKnowsFreeSpace) {
   const auto front = seen.ranking().quick(both[0], emtr::Surfaces::kQuickStep, scratch);
   EXPECT_GT(front.violation, 0.1);
   std::vector<Rigid> out;
-  Team::with(1, [&](Team& team) { out = emtr::Pool(seen).shortlist(both, 1, team); });
+  Team::with(1, [&](Team& team) { out = emtr::Pool(seen, nullptr).shortlist(both, 1, team); });
   ASSERT_EQ(out.size(), 1u);
   EXPECT_TRUE(same_bits(out.front(), both[1]));
 }
@@ -114,7 +115,7 @@ TEST_F(Pool, PolishesWhatItTakesIn) {
   const Rigid start = scene().off({2, -2, 1}, {0.02, 0.01, -0.02});
   emtr::Ranking::Scratch scratch;
   const double before = surfaces().ranking().evaluate(start, scratch).score;
-  emtr::Pool pool(surfaces());
+  emtr::Pool pool(surfaces(), nullptr);
   add(pool, {start});
   ASSERT_EQ(pool.ranked().size(), 1u);
   const emtr::Candidate& c = pool.ranked().front();
@@ -132,9 +133,9 @@ TEST_F(Pool, NoPoseIsMadeWorse) {
   std::size_t lost = 0;
   emtr::LocalPolish::Scratch scratch;
   for (const Rigid& start : starts) {
-    emtr::Pool pool(surfaces());
+    emtr::Pool pool(surfaces(), nullptr);
     add(pool, {start});
-    const Rigid polished = surfaces().polish()(start, scratch).pose;
+    const Rigid polished = surfaces().polish()(start, nullptr, scratch).pose;
     const bool worse = quick(polished) < quick(start);
     EXPECT_TRUE(same_bits(pool.ranked().front().pose, worse ? start : polished));
     lost += worse;
@@ -144,7 +145,7 @@ TEST_F(Pool, NoPoseIsMadeWorse) {
 }
 
 TEST_F(Pool, IsRankedByTheFineScoreAndDistinct) {
-  emtr::Pool pool(surfaces());
+  emtr::Pool pool(surfaces(), nullptr);
   add(pool, poses());
   const auto& ranked = pool.ranked();
   ASSERT_GT(ranked.size(), 15u);
@@ -164,7 +165,7 @@ TEST_F(Pool, IsRankedByTheFineScoreAndDistinct) {
 }
 
 TEST_F(Pool, WhatComesLaterIsRankedAmongWhatIsThere) {
-  emtr::Pool pool(surfaces());
+  emtr::Pool pool(surfaces(), nullptr);
   add(pool, anywhere(10, 3));
   const double wrong = pool.ranked().front().score;
   const std::size_t before = pool.ranked().size();
@@ -180,14 +181,14 @@ TEST_F(Pool, WhatComesLaterIsRankedAmongWhatIsThere) {
 }
 
 TEST_F(Pool, IsTheSameForAnyThreads) {
-  emtr::Pool one(surfaces());
+  emtr::Pool one(surfaces(), nullptr);
   add(one, poses(), 1);
   const auto list = shortlist(12, 1);
   for (const int threads : {2, 4}) {
     const auto other_list = shortlist(12, threads);
     ASSERT_EQ(list.size(), other_list.size());
     for (std::size_t i = 0; i < list.size(); ++i) EXPECT_TRUE(same_bits(list[i], other_list[i]));
-    emtr::Pool other(surfaces());
+    emtr::Pool other(surfaces(), nullptr);
     add(other, poses(), threads);
     ASSERT_EQ(one.ranked().size(), other.ranked().size());
     for (std::size_t i = 0; i < one.ranked().size(); ++i) {

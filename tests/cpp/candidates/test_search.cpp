@@ -21,7 +21,7 @@ class Search : public testing::Test {
   }
 
   CandidateSearch search() const {
-    return {scene.normalised, surfaces, scene.settings, emtr::select_kernels()};
+    return {scene.normalised, surfaces, scene.settings, emtr::select_kernels(), nullptr};
   }
 
   void give_sensors(double sign_of_target = 1) {

@@ -54,7 +54,7 @@ TEST(Surfaces, TheQuickLookIsReadyAndCloseToTheWholeOne) {
 TEST(Surfaces, TheirPolishGoesToTheTruthFromAFewDegrees) {
   const Surfaces both(scene().source, scene().target, {}, {}, emtr::select_kernels());
   emtr::LocalPolish::Scratch scratch;
-  const auto end = both.polish()(scene().off({0, 5, 0}, {0.03, 0, 0}), scratch);
+  const auto end = both.polish()(scene().off({0, 5, 0}, {0.03, 0, 0}), nullptr, scratch);
   EXPECT_NE(end.end, emtr::PolishEnd::TooFewInliers);
   EXPECT_LT(emtr_test::degrees_between(end.pose, scene().truth), 0.7);
   EXPECT_LT(emtr_test::shift_between(end.pose, scene().truth), 0.01);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "evolution/engine.h"
+#include "priors/make_prior.h"
 #include "problem.h"
 #include "support/clouds.h"
 
@@ -19,7 +20,7 @@ emtr::Problem problem_with(const Settings& settings) {
 Evolution run(
     const emtr::Problem& p, const Settings& settings,
     const emtr::OnIteration& on_iteration = [](int, double, double) { return false; }) {
-  return emtr::evolve(*p.alpha, *p.beta, *p.complement, settings, {}, on_iteration);
+  return emtr::evolve(*p.alpha, *p.beta, *p.complement, settings, {}, on_iteration, nullptr);
 }
 
 class Engine : public testing::Test {
@@ -122,10 +123,130 @@ TEST_F(Engine, AGuessIsOneHypothesis) {
   emtr::Rigid truth;
   const emtr_test::Pair pair(11, 5000);
   truth = problem.frame.to_normalised(emtr::from_matrix(pair.pose()));
-  const Evolution e = emtr::evolve(*problem.alpha, *problem.beta, *problem.complement, settings,
-                                   {truth}, [](int, double, double) { return false; });
+  const Evolution e = emtr::evolve(
+      *problem.alpha, *problem.beta, *problem.complement, settings, {{truth}, {}},
+      [](int, double, double) { return false; }, nullptr);
   EXPECT_EQ(e.best, 0u);
   EXPECT_LT(emtr::rotation_distance(e.hypotheses[0].pose.R, truth.R), 1e-9);
+}
+
+class EngineSteps : public Engine {
+ protected:
+  EngineSteps() {
+    settings.iterations = 40;
+    const emtr_test::Pair pair(11, 5000);
+    truth = problem.frame.to_normalised(emtr::from_matrix(pair.pose()));
+  }
+  Evolution started(const emtr::Starts& starts) const {
+    return emtr::evolve(
+        *problem.alpha, *problem.beta, *problem.complement, settings, starts,
+        [](int, double, double) { return false; }, nullptr);
+  }
+  enum { Off, Auto, Always };
+  void use(int what, int restart_after) {
+    settings.rotation_vector_steps = settings.arc_transfer = what;
+    settings.restart_after = restart_after;
+  }
+  emtr::Rigid truth;
+};
+
+TEST_F(EngineSteps, PresetPaperHasThemOff) {
+  EXPECT_EQ(settings.rotation_vector_steps, Off);
+  EXPECT_EQ(settings.arc_transfer, Off);
+  EXPECT_EQ(settings.restart_after, 0);
+}
+
+TEST_F(EngineSteps, AutoIsForSwarmsWithoutASeed) {
+  const emtr::Starts none, guess{{truth}, {}}, seed{{}, {truth}};
+  use(Off, 0);
+  const auto off = started(none).history_alpha, off_at_seed = started(seed).history_alpha,
+             off_at_guess = started(guess).history_alpha;
+  EXPECT_EQ(off_at_guess, off_at_seed);  // with the same pose in the same place
+  use(Always, 0);
+  const auto on = started(none).history_alpha, on_at_seed = started(seed).history_alpha,
+             on_at_guess = started(guess).history_alpha;
+  EXPECT_NE(on, off);
+  EXPECT_NE(on_at_seed, off_at_seed);
+  use(Auto, 0);
+  EXPECT_EQ(started(none).history_alpha, on);
+  EXPECT_EQ(started(guess).history_alpha, on_at_guess);
+  EXPECT_EQ(started(seed).history_alpha, off_at_seed);
+}
+
+TEST_F(EngineSteps, EachDoesSomethingByItself) {
+  const auto off = started({});
+  use(Off, 0);
+  settings.arc_transfer = Always;
+  EXPECT_NE(started({}).history_alpha, off.history_alpha);
+  use(Off, 0);
+  settings.rotation_vector_steps = Always;
+  EXPECT_NE(started({}).history_alpha, off.history_alpha);
+  use(Off, 2);
+  EXPECT_NE(started({}).history_alpha, off.history_alpha);
+  use(Off, 2);
+  EXPECT_EQ(started({{}, {truth}}).hypotheses.size(), 50u);  // at a seed nobody starts anew
+}
+
+TEST_F(EngineSteps, RestartsKeepWhatWasKnownAndNeverLoseTheBest) {
+  use(Off, 2);
+  emtr::TaskAlpha::Scratch scratch;
+  const Evolution e = started({});
+  EXPECT_GT(e.hypotheses.size(), 50u);
+  EXPECT_LE(e.hypotheses.size(), 100u);
+  for (std::size_t i = 1; i < e.history_alpha.size(); ++i) {
+    if (i == 24) continue;  // another objective from here on
+    EXPECT_LE(e.history_alpha[i], e.history_alpha[i - 1]);
+    EXPECT_LE(e.history_beta[i], e.history_beta[i - 1]);
+  }
+  EXPECT_EQ(e.history_alpha.back(), e.hypotheses[e.best].fitness);
+  for (const emtr::Hypothesis& h : e.hypotheses) {
+    EXPECT_LE(e.hypotheses[e.best].fitness, h.fitness);
+    EXPECT_EQ(h.fitness, problem.alpha->evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
+  }
+  EXPECT_EQ(e.lookups_evaluation, 50 * (24 * sparse + 16 * dense));
+  EXPECT_GT(e.lookups_switch, 50 * dense);  // what was left behind is scored anew, too
+}
+
+TEST_F(EngineSteps, SameBitsForAnyThreads) {
+  use(Always, 2);
+  settings.threads = 1;
+  const Evolution one = started({});
+  for (const int threads : {2, 3, 8}) {
+    settings.threads = threads;
+    const Evolution more = started({});
+    EXPECT_EQ(one.history_alpha, more.history_alpha);
+    EXPECT_EQ(one.history_beta, more.history_beta);
+    ASSERT_EQ(one.hypotheses.size(), more.hypotheses.size());
+    for (std::size_t i = 0; i < one.hypotheses.size(); ++i)
+      EXPECT_TRUE(std::equal(one.hypotheses[i].pose.R, one.hypotheses[i].pose.R + 9,
+                             more.hypotheses[i].pose.R));
+  }
+}
+
+TEST_F(EngineSteps, KeepToAPrior) {
+  use(Always, 3);
+  for (const int which : {0, 1, 2}) {
+    emtr::Settings known = settings;
+    if (which == 0) known.maximum_rotation = 170;
+    if (which == 1) {
+      known.has_axis = 1;
+      known.axis[2] = 1;
+      known.axis_tilt = 20;
+    }
+    if (which == 2) {
+      known.has_translation_bounds = 1;
+      for (int a = 0; a < 3; ++a) {
+        known.translation_minimum[a] = -0.2;
+        known.translation_maximum[a] = 0.3;
+      }
+    }
+    const auto prior = emtr::make_prior(known, problem.frame);
+    ASSERT_TRUE(prior);
+    const Evolution e = emtr::evolve(
+        *problem.alpha, *problem.beta, *problem.complement, known, {},
+        [](int, double, double) { return false; }, prior.get());
+    for (const emtr::Hypothesis& h : e.hypotheses) EXPECT_TRUE(prior->admits(h.pose)) << which;
+  }
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(KnowledgeComplement, FindsTheTranslationOfTheTrueRotation) {
   f.target = ball(0.12f, -0.08f, 0.1f);
   const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   double t[3];
-  f.complement().translation(identity, t);
+  f.complement().translation(identity, t, nullptr);
   EXPECT_NEAR(t[0], 0.12, 0.005);
   EXPECT_NEAR(t[1], -0.08, 0.005);
   EXPECT_NEAR(t[2], 0.1, 0.005);
@@ -51,7 +51,7 @@ TEST(KnowledgeComplement, StaysWhenNothingIsNear) {
   f.target = ball(50, 0, 0);
   const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   double t[3] = {9, 9, 9};
-  f.complement().translation(identity, t);
+  f.complement().translation(identity, t, nullptr);
   for (const double v : t) EXPECT_EQ(v, 0);
 }
 

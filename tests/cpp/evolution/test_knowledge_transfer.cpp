@@ -19,8 +19,8 @@ class KnowledgeTransfer : public testing::Test {
     cloud = emtr_test::uniform_cloud(50, 1);
     complement.emplace(cloud, cloud, emtr::make_candidate_grid(cloud, 0.5f, 0.2f, kernels),
                        settings, kernels);
-    alpha.emplace(emtr::pose_genes(0.5), settings, Stream::Alpha);
-    beta.emplace(emtr::rotation_genes(), settings, Stream::Beta);
+    alpha.emplace(emtr::pose_genes(0.5), settings, Stream::Alpha, emtr::RotationSteps::Angles);
+    beta.emplace(emtr::rotation_genes(), settings, Stream::Beta, emtr::RotationSteps::Angles);
     const double pose[6] = {0.5, 0.2, -0.3, 0.1, 0.2, 0.3}, rotation[3] = {0.7, -0.2, 0.1};
     alpha->place(0, pose);
     beta->place(0, rotation);
@@ -39,7 +39,7 @@ class KnowledgeTransfer : public testing::Test {
 };
 
 TEST_F(KnowledgeTransfer, MixesByTheLinearLambdas) {
-  emtr::KnowledgeTransfer transfer(*complement, space, settings);
+  emtr::KnowledgeTransfer transfer(*complement, space, settings, false);
   const int it = 50;
   const double la = 0.1 + 0.6 * it / 100, lb = 0.999 - 0.8 * it / 100;
   const auto guides = transfer.exchange(it, *alpha, *beta, true);
@@ -51,14 +51,38 @@ TEST_F(KnowledgeTransfer, MixesByTheLinearLambdas) {
   double R[9], t[3];
   const double rotation[3] = {0.7, -0.2, 0.1};
   emtr::euler_to_rotation(rotation, R);
-  complement->translation(R, t);
+  complement->translation(R, t, nullptr);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(guides.alpha[k + 3], la * (0.1 * static_cast<double>(k + 1)) + (1 - la) * t[k],
                 1e-12);
 }
 
+TEST_F(KnowledgeTransfer, AlongTheArcTheLambdasAreSharesOfTheWay) {
+  emtr::KnowledgeTransfer transfer(*complement, space, settings, true);
+  const int it = 50;
+  const double la = 0.1 + 0.6 * it / 100, lb = 0.999 - 0.8 * it / 100;
+  const auto guides = transfer.exchange(it, *alpha, *beta, true);
+  const auto distance = [](const double* a, const double* b) {
+    double Ra[9], Rb[9];
+    emtr::euler_to_rotation(a, Ra);
+    emtr::euler_to_rotation(b, Rb);
+    return emtr::rotation_distance(Ra, Rb);
+  };
+  const double* a = alpha->gbest_position();
+  const double* b = beta->gbest_position();
+  const double whole = distance(a, b);
+  EXPECT_NEAR(distance(guides.alpha.data(), a), (1 - la) * whole, 1e-9);
+  EXPECT_NEAR(distance(guides.alpha.data(), b), la * whole, 1e-9);
+  EXPECT_NEAR(distance(guides.beta.data(), b), (1 - lb) * whole, 1e-9);
+  EXPECT_NEAR(distance(guides.beta.data(), a), lb * whole, 1e-9);
+  // The translation is mixed as ever.
+  emtr::KnowledgeTransfer by_angles(*complement, space, settings, false);
+  const auto others = by_angles.exchange(it, *alpha, *beta, true);
+  for (std::size_t k = 3; k < 6; ++k) EXPECT_EQ(guides.alpha[k], others.alpha[k]);
+}
+
 TEST_F(KnowledgeTransfer, ReusesTheComplementWhileBetaStays) {
-  emtr::KnowledgeTransfer transfer(*complement, space, settings);
+  emtr::KnowledgeTransfer transfer(*complement, space, settings, false);
   transfer.exchange(0, *alpha, *beta, true);
   EXPECT_EQ(transfer.lookups(), 150u);
   transfer.exchange(1, *alpha, *beta, false);
@@ -69,7 +93,7 @@ TEST_F(KnowledgeTransfer, ReusesTheComplementWhileBetaStays) {
 
 TEST_F(KnowledgeTransfer, WithoutTheComplementAlphaKeepsItsTranslation) {
   settings.complement = 0;
-  emtr::KnowledgeTransfer transfer(*complement, space, settings);
+  emtr::KnowledgeTransfer transfer(*complement, space, settings, false);
   const auto guides = transfer.exchange(10, *alpha, *beta, true);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_DOUBLE_EQ(guides.alpha[k + 3], 0.1 * static_cast<double>(k + 1));
@@ -79,10 +103,10 @@ TEST_F(KnowledgeTransfer, WithoutTheComplementAlphaKeepsItsTranslation) {
 TEST_F(KnowledgeTransfer, IsDueAsOftenAsRmpSays) {
   int due = 0;
   for (int it = 0; it < 2000; ++it)
-    due += emtr::KnowledgeTransfer(*complement, space, settings).due(it);
+    due += emtr::KnowledgeTransfer(*complement, space, settings, false).due(it);
   EXPECT_NEAR(due / 2000.0, 0.7, 0.03);
   settings.transfer = 0;
-  EXPECT_FALSE(emtr::KnowledgeTransfer(*complement, space, settings).due(0));
+  EXPECT_FALSE(emtr::KnowledgeTransfer(*complement, space, settings, false).due(0));
 }
 
 }  // namespace

@@ -83,4 +83,53 @@ TEST(SearchSpace, GenesDecodeToAdmissiblePosesAndReachAllOfThem) {
     }
 }
 
+TEST(SearchSpace, AnArcIsTheShortestAndHasItsShare) {
+  Draw d(3);
+  emtr::Settings tilted = emtr::preset("default"), near = tilted;
+  tilted.has_axis = 1;
+  tilted.axis[1] = 1;
+  tilted.axis_tilt = 40;
+  near.maximum_rotation = 80;
+  const auto leaning = emtr::make_prior(tilted, emtr::Frame());
+  const auto ball = emtr::make_prior(near, emtr::Frame());
+  for (const emtr::Prior* prior :
+       {static_cast<const emtr::Prior*>(nullptr), leaning.get(), ball.get()}) {
+    const SearchSpace space(1.2, prior);
+    const auto genes = space.rotation_genes();
+    for (int k = 0; k < 200; ++k) {
+      double from[3], to[3], at[3], R[3][9];
+      for (std::size_t g = 0; g < 3; ++g) {
+        // Angles fly on beyond their range.
+        const double beyond = genes[g].wall ? 1 : 2;
+        from[g] = d.uniform(beyond * genes[g].low, beyond * genes[g].high);
+        to[g] = d.uniform(beyond * genes[g].low, beyond * genes[g].high);
+      }
+      const double share = d.uniform(0, 1);
+      space.arc(from, to, share, at);
+      space.rotation(from, R[0]);
+      space.rotation(to, R[1]);
+      space.rotation(at, R[2]);
+      const double whole = emtr::rotation_distance(R[0], R[1]);
+      if (prior != leaning.get()) {  // a tilt's limit need not hold on the way
+        EXPECT_NEAR(emtr::rotation_distance(R[0], R[2]), share * whole, 1e-6);
+        EXPECT_NEAR(emtr::rotation_distance(R[2], R[1]), (1 - share) * whole, 1e-6);
+      }
+      if (prior) {
+        emtr::Rigid pose;
+        std::copy_n(R[2], 9, pose.R);
+        EXPECT_TRUE(prior->admits(prior->project(pose)));
+        EXPECT_LT(emtr::rotation_distance(prior->project(pose).R, R[2]), 1e-9);
+      }
+      double none[3];
+      space.arc(from, to, 0, none);
+      double back[9];
+      space.rotation(none, back);
+      EXPECT_LT(emtr::rotation_distance(back, R[0]), 1e-7);
+      if (!prior) {  // of all angles those nearest to where the receiver is
+        for (std::size_t g = 0; g < 3; ++g) EXPECT_LE(std::abs(at[g] - from[g]), 2 * M_PI);
+      }
+    }
+  }
+}
+
 }  // namespace

@@ -27,7 +27,7 @@ struct Polisher {
 
   emtr::Polished operator()(const emtr::Rigid& start, int threads = 1) const {
     emtr::LocalPolish::Scratch scratch;
-    return (*polish)(start, scratch, threads);
+    return (*polish)(start, nullptr, scratch, threads);
   }
 };
 

@@ -76,8 +76,8 @@ TEST_P(Information, IsTheInverseCovarianceOfRepeatedScans) {
       const emtr_test::Polisher polisher(ball.scan(0.35, 100 + k, points, leaf),
                                          ball.scan(-0.35, 900 + k, points, leaf), settings);
       emtr::LocalPolish::Scratch scratch;
-      const emtr::Polished out =
-          (*polisher.polish)(emtr_test::motion({0.3, -0.3, 0.2}, {0.005, 0, -0.005}), scratch);
+      const emtr::Polished out = (*polisher.polish)(
+          emtr_test::motion({0.3, -0.3, 0.2}, {0.005, 0, -0.005}), nullptr, scratch);
       ASSERT_NE(out.end, emtr::PolishEnd::TooFewInliers);
       Matrix6 matrix;
       emtr::information(out, polisher.polish->design_effect(out, scratch), matrix.data());
@@ -108,7 +108,7 @@ TEST(DesignEffect, CountsPairsThatSayTheSame) {
     const emtr_test::Polisher polisher(ball.scan(0.35, 1, 12000, 0.03),
                                        ball.scan(-0.35, 2, 12000, 0.03), settings);
     emtr::LocalPolish::Scratch scratch;
-    const emtr::Polished out = (*polisher.polish)({}, scratch);
+    const emtr::Polished out = (*polisher.polish)({}, nullptr, scratch);
     return polisher.polish->design_effect(out, scratch);
   };
   const double once = effect(one_way), twice = effect({});

@@ -114,8 +114,8 @@ TEST(LocalPolish, SameBitsForAnyThreadsKernelsScratchAndSignsOfNormals) {
   }
   const Polisher flipped(source, target, Polish());
   LocalPolish::Scratch used;
-  (*flipped.polish)(scans().truth, used);
-  EXPECT_EQ(bits((*flipped.polish)(start, used)), wanted);
+  (*flipped.polish)(scans().truth, nullptr, used);
+  EXPECT_EQ(bits((*flipped.polish)(start, nullptr, used)), wanted);
 }
 
 TEST(LocalPolish, SaysSoWhenThereIsNothingToHoldOnTo) {
@@ -188,7 +188,7 @@ struct Bumps {
 
   emtr::Polished from(const emtr::Rigid& start, const emtr::Prior* prior) const {
     emtr::LocalPolish::Scratch scratch;
-    return (*polisher.polish)(start, scratch, 1, prior);
+    return (*polisher.polish)(start, prior, scratch);
   }
   /// Settings with the axis that the true rotation turns about.
   emtr::Settings upright() const {

@@ -32,7 +32,7 @@ struct Refinement {
   Refined from(const emtr::Rigid& start,
                const emtr::Kernels& kernels = emtr::select_kernels()) const {
     return emtr::refine(emtr::fine_surfaces(normalised, settings.refine_leaf, kernels), start,
-                        settings, kernels);
+                        settings, kernels, nullptr);
   }
 };
 

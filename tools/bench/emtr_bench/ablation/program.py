@@ -59,8 +59,11 @@ def choose(arguments: argparse.Namespace, scratch: Path) -> tuple[list[Pair], in
     return pairs, arguments.transforms
 
 
-def figures(variant: Variant, runs: list[Run]) -> dict[str, Any]:
-    """A variant's row: joint success in percent by tier and over all runs."""
+def figures(variant: Variant, runs: list[Run], reference: list[Run]) -> dict[str, Any]:
+    """A variant's row: joint success in percent by tier and over all runs, and how many runs of its
+    block's reference it lost and won. The runs are the same pairs, motions and seeds in the same
+    order, so these two tell small differences from chance."""
+    both = list(zip(runs, reference))
     tiers = list(dict.fromkeys(run.pair.tier for run in runs))
     return {
         "block": variant.block,
@@ -69,6 +72,8 @@ def figures(variant: Variant, runs: list[Run]) -> dict[str, Any]:
         "runs": len(runs),
         "joint": {tier: _joint([r for r in runs if r.pair.tier == tier]) for tier in tiers},
         "joint_all": _joint(runs),
+        "lost": sum(there.joint and not here.joint for here, there in both),
+        "won": sum(here.joint and not there.joint for here, there in both),
         "registered": sum(run.registered for run in runs),
         "registered_right": sum(run.registered and run.joint for run in runs),
         "seconds": statistics.median(run.wall for run in runs),
@@ -86,16 +91,19 @@ def _measure(
     tiers = _tiers(pairs)
     print(f"preset {arguments.preset}, {len(pairs)} pairs, {transforms} motions each: "
           f"joint success in %, emtr {engine.version}")  # fmt: skip
-    print(f"{'off':<40}" + "".join(f"{name:>13}" for name in [*tiers, "all", "seconds"]))
-    rows = []
+    heads = [*tiers, "all", "lost", "won", "seconds"]
+    print(f"{'off':<45}" + "".join(f"{name:>13}" for name in heads))
+    rows: list[dict[str, Any]] = []
+    reference: dict[str, list[Run]] = {}  # by block, whose first variant it is
     for variant in variants:
         options = _options(variant, arguments)
         runs = list(run_all(pairs, transforms, engine.register, options, arguments.jobs))
-        row = figures(variant, runs)
+        row = figures(variant, runs, reference.setdefault(variant.block, runs))
         cells = [f"{row['joint'][tier]:.1f}" for tier in tiers]
-        cells += [f"{row['joint_all']:.1f}", f"{row['seconds']:.3f}"]
+        cells += [f"{row['joint_all']:.1f}", str(row["lost"]), str(row["won"]),
+                  f"{row['seconds']:.3f}"]  # fmt: skip
         name = f"{variant.block}: {variant.part}"
-        print(f"{name:<40}" + "".join(f"{cell:>13}" for cell in cells), flush=True)
+        print(f"{name:<45}" + "".join(f"{cell:>13}" for cell in cells), flush=True)
         if row["crashed"]:
             print(f"CRASHED: {len(row['crashed'])} runs; the first:\n{row['crashed'][0]}")
         rows.append(row)

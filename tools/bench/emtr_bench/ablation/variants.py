@@ -1,4 +1,4 @@
-"""What is switched off in turn, and by which settings."""
+"""What is changed in turn, and by which settings."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class Variant:
     """One row: the preset, but for these settings."""
 
     block: str
-    part: str  # that is off; "nothing" for the block's own reference
+    part: str  # that is changed; "nothing" for the block's own reference
     settings: dict[str, Setting] = field(default_factory=dict)
 
 
@@ -22,6 +22,9 @@ WHOLE, SWARM = "whole", "without seeds"
 _NO_SEEDS: dict[str, Setting] = {"seeds": 0, "injected_seeds": 0}
 #: An escalation makes seeds of its own.
 _SWARM: dict[str, Setting] = {**_NO_SEEDS, "escalation": "off"}
+_ANGLES: dict[str, Setting] = {"rotation_vector_steps": "off", "arc_transfer": "off"}
+#: Swarms with seeds go by Euler angles unless told otherwise.
+_NO_ANGLES: dict[str, Setting] = {"rotation_vector_steps": "always", "arc_transfer": "always"}
 
 VARIANTS = (
     Variant(WHOLE, "nothing"),
@@ -30,6 +33,7 @@ VARIANTS = (
     Variant(WHOLE, "transfer", {"transfer": 0}),
     Variant(WHOLE, "complement", {"complement": 0}),
     Variant(WHOLE, "sparse to dense", {"sparse_to_dense": 0}),
+    Variant(WHOLE, "angles (vectors and arcs instead)", _NO_ANGLES),
     Variant(WHOLE, "evolution (1 iteration)", {"iterations": 1}),
     Variant(WHOLE, "candidates", {"candidates": 0}),
     Variant(WHOLE, "free space", {"free_space": 0}),
@@ -39,5 +43,10 @@ VARIANTS = (
     Variant(SWARM, "transfer", {**_SWARM, "transfer": 0}),
     Variant(SWARM, "complement", {**_SWARM, "complement": 0}),
     Variant(SWARM, "sparse to dense", {**_SWARM, "sparse_to_dense": 0}),
+    Variant(SWARM, "rotation vectors", {**_SWARM, "rotation_vector_steps": "off"}),
+    Variant(SWARM, "shortest arc", {**_SWARM, "arc_transfer": "off"}),
+    Variant(SWARM, "both (angles instead)", {**_SWARM, **_ANGLES}),
+    Variant(SWARM, "nothing, with restarts", {**_SWARM, "restart_after": 4}),
     Variant(SWARM, "evolution (1 iteration)", {**_SWARM, "iterations": 1}),
+    Variant(SWARM, "nothing, 100 iterations", {**_SWARM, "iterations": 100}),
 )

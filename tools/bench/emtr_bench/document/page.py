@@ -31,6 +31,8 @@ _EXPLANATIONS = {
     "cloud's radius too. Errors are over the successes, E_R in degrees; precision and recall are "
     "those of `registered` against joint success. Seconds: mean wall time.",
     "ablation": "Joint success in percent by tier (pairs), and the median of the wall seconds. "
+    "Lost and won: runs that are right with nothing off and wrong here, and the other way round; "
+    "all rows have the same pairs, motions and seeds. "
     "Without seeds there is no second search either, which would make some: the swarms search.",
     "calibration": "Of the runs above that were made on all pairs, and of scans that do not belong "
     "together, which have no right pose. Right: joint success. The calibration error is the mean "

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace emtr {
+
+/// A rotation vector is axis times angle, in radians.
+Eigen::Quaterniond exponential(const Eigen::Vector3d& vector);
+
+/// The shortest one: at most pi long.
+Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation);
+
+/// Of a row-major rotation matrix.
+Eigen::Quaterniond quaternion(const double R[9]);
+
+}  // namespace emtr
