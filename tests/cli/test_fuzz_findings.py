@@ -59,6 +59,20 @@ def test_binary_pcd_may_begin_with_the_byte_of_a_comment(run, tmp_path):
     assert done.returncode in (0, 3), done.stderr
 
 
+def test_a_field_named_like_a_line_of_the_header_is_written_whole(run, tmp_path):
+    header = cloud_files.pcd_header(ROWS, "ascii").splitlines()
+    for row, more in (("FIELDS", " aVIEWPOINTb"), ("SIZE", " 4"), ("TYPE", " F"), ("COUNT", " 1")):
+        header = [line + more if line.startswith(row) else line for line in header]
+    body = [" ".join(str(v) for v in (*row, 7)) for row in POINTS.tolist()]
+    (tmp_path / "a.pcd").write_text("\n".join([*header, *body, ""]))
+    few = ("--iterations", "1", "--population", "2")
+    done = run("a.pcd", "a.pcd", "-o", "T.txt", "--aligned", "b.pcd", *few)
+    assert done.returncode in (0, 3), done.stderr
+    assert b"FIELDS x y z aVIEWPOINTb\n" in (tmp_path / "b.pcd").read_bytes()
+    done = run("b.pcd", "a.pcd", "-o", "T.txt", *few)
+    assert done.returncode in (0, 3), done.stderr
+
+
 @pytest.mark.parametrize("lines", [
     "obj_info num_cols 3\nobj_info num_rows 3\n", "obj_info num_cols 41\nobj_info num_rows 1\n",
     "obj_info num_cols 10\n"])  # fmt: skip

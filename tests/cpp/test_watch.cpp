@@ -270,4 +270,25 @@ TEST(Watch, ACallbackMayRegisterCloudsItself) {
   EXPECT_TRUE(same_pose(*outer, undisturbed(pair)));
 }
 
+TEST(Watch, ACallbackMayRegisterTheCloudsOfTheRun) {
+  const Pair& pair = shared_pair();
+  const auto prepared = [](const emtr_cloud& cloud) {
+    return std::make_shared<const emtr::PreparedCloud>(cloud, "", 1);
+  };
+  const auto source = prepared(pair.source()), target = prepared(pair.target());
+  const emtr::Settings settings = through_all_stages(1);
+  std::size_t asked = 0;
+  const auto nested = [&](const emtr_progress& p) {
+    if (p.stage != std::string("densities") || ++asked % 20 != 10) return false;
+    EXPECT_TRUE(same_pose(*emtr::Problem(source, target, settings, nullptr).solve(nullptr),
+                          undisturbed(pair)));
+    return false;
+  };
+  Watch watch(nested, 0, kAlways);
+  const auto normalised = [&] { return emtr::normalise(source, target); };
+  EXPECT_TRUE(
+      same_pose(*emtr::Problem(normalised, settings, watch).solve(watch), undisturbed(pair)));
+  EXPECT_GE(asked, 40u);
+}
+
 }  // namespace

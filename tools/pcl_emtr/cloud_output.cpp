@@ -43,7 +43,7 @@ std::string viewpoint_line(const CloudFile& cloud) {
 bool write_pcd(const CloudFile& cloud, const std::string& temporary) {
   std::string header =
       pcl::PCDWriter().generateHeaderBinary(cloud.blob, origin_of(cloud), orientation_of(cloud));
-  const std::size_t begin = header.find("VIEWPOINT");
+  const std::size_t begin = header.find("\nVIEWPOINT") + 1;  // a field's name may have it too
   header.replace(begin, header.find('\n', begin) - begin, viewpoint_line(cloud));
   std::ofstream out(temporary, std::ios::binary);
   out << header << "DATA binary\n";

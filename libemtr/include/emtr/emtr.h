@@ -441,9 +441,9 @@ EMTR_API emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* t
 /* How far each point is from the other cloud, once `transformation` (source into target, null for
  * the identity) has moved the source: the distance to the nearest point, in the user's unit. Exact
  * to 1e-6 of the other cloud's size, or of the distance where that is larger, for clouds of any
- * shape with one finite point or more; NaN for points with a NaN or an infinity. of_source has room for source->count numbers, of_target
- * for target->count; null for what is not wanted. `threads` as in the settings, without influence
- * on the numbers. */
+ * shape with one finite point or more; NaN for points with a NaN or an infinity. of_source has room
+ * for source->count numbers, of_target for target->count; null for what is not wanted. `threads` as
+ * in the settings, without influence on the numbers. */
 EMTR_API emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
                                     const double transformation[16], int32_t threads,
                                     double* of_source, double* of_target);

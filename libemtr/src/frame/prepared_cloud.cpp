@@ -77,8 +77,9 @@ bool PreparedCloud::find(std::size_t row, float p[3]) const {
 
 double PreparedCloud::spacing() const {
   constexpr std::size_t enough = 2000;  // for a mean to a per cent or so
-  std::call_once(spacing_once_, [this] { spacing_ = mean_spacing(base, enough); });
-  return spacing_;
+  double known = spacing_.load();
+  if (known < 0) spacing_ = known = mean_spacing(base, enough);
+  return known;
 }
 
 }  // namespace emtr

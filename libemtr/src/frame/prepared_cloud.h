@@ -2,10 +2,10 @@
 
 #include <emtr/emtr.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -37,15 +37,16 @@ class PreparedCloud {
   bool find(std::size_t row, float p[3]) const;
   std::size_t rows() const { return count + dropped; }  ///< of the caller's array
 
-  /// Mean distance of a base point to its nearest other; made when first asked for.
+  /// Mean distance of a base point to its nearest other; made when first asked for. Nobody waits
+  /// for another who makes it, to the same bits: that one may be asking its caller just now, who
+  /// may come back with this cloud.
   double spacing() const;
 
  private:
   const std::string title_;
   Cloud kept_;                        ///< all finite points of a thinned cloud that keeps them
   std::vector<std::int64_t> finite_;  ///< the caller's rows of all finite points, when some are not
-  mutable std::once_flag spacing_once_;
-  mutable double spacing_ = 0;
+  mutable std::atomic<double> spacing_{-1};
 };
 
 using PreparedCloudPtr = std::shared_ptr<const PreparedCloud>;

@@ -140,8 +140,10 @@ void validate_priors(const Settings& s) {
 }
 
 Rigid normalised_guess(const Settings& settings, const Frame& frame) {
-  const Rigid pose = frame.to_normalised(from_matrix(settings.guess));
+  Rigid pose = frame.to_normalised(from_matrix(settings.guess));
   require(is_near(pose.t, 3), "setting 'guess' moves the source a million radii past the target");
+  // As people write matrices down, it is a rotation to three digits: the results are to all.
+  Eigen::Map<Rotation>(pose.R) = rotation_of(pose).toRotationMatrix();
   return pose;
 }
 

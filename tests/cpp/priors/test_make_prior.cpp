@@ -141,6 +141,21 @@ TEST(MakePrior, ABoxOutOfSightIsRefused) {
   }
 }
 
+TEST(MakePrior, AGuessOfFewDigitsIsARotationToAllOfThem) {
+  Settings s = emtr::preset("default");
+  guess(s, {20, -35, 70}, {0.1, 0.2, 0.3});
+  for (int i = 0; i < 12; ++i) s.guess[i] = std::round(1e4 * s.guess[i]) / 1e4;
+  ASSERT_TRUE(emtr::is_rigid(s.guess));
+  const emtr::Rigid pose = emtr::normalised_guess(s, emtr::Frame());
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      double dot = 0;
+      for (int k = 0; k < 3; ++k) dot += pose.R[3 * i + k] * pose.R[3 * j + k];
+      EXPECT_NEAR(dot, i == j, 1e-14);
+    }
+  for (int i = 0; i < 9; ++i) EXPECT_NEAR(pose.R[i], s.guess[i / 3 * 4 + i % 3], 2e-4);
+}
+
 TEST(MakePrior, AnAngleMayCrossHalfATurn) {
   Settings s = emtr::preset("default");
   up(s);
