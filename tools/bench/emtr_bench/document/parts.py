@@ -31,6 +31,22 @@ class Part:
         return " ".join(self.command)
 
 
+def _accuracy(preset: str) -> dict[str, tuple[str, ...]]:
+    """What is measured of a preset, by name."""
+    if preset == "thorough":  # which searches twice on every pair
+        return {"all": ("--tier", "all", "--transforms", "1")}
+    many = "20" if preset == "default" else "4"  # motions; the paper has 20
+    runs = {
+        "paper": ("--tier", "paper", "--transforms", "20"),
+        # Scans that do not belong together say how far the confidence can be believed.
+        "all": ("--tier", "all", "--transforms", many, "--unrelated", UNRELATED),
+    }
+    if preset == "default":
+        hard = ("--tier", "low-overlap", "extreme", "--transforms", "4")
+        runs["viewpoints"] = (*hard, "--viewpoints")
+    return runs
+
+
 def all_parts(folder: Path, pictures: Path, presets: list[str], smoke: bool) -> list[Part]:
     """`folder` takes the JSON, `pictures` the pictures."""
 
@@ -44,22 +60,13 @@ def all_parts(folder: Path, pictures: Path, presets: list[str], smoke: bool) -> 
 
     parts = []
     for preset in presets:
-        # 20 motions as in the paper; on the other pairs 4 have to do for all but the default.
-        many = "20" if preset == "default" else "4"
-        for name, tier, motions in (("paper", "paper", "20"), ("all", "all", many)):
-            options = ("--tier", tier, "--transforms", motions, "--threads", THREADS)
-            if name == "all":  # these say how far the confidence can be believed
-                options += ("--unrelated", UNRELATED)
+        for name, chosen in _accuracy(preset).items():
+            options = (*chosen, "--threads", THREADS)
             parts.append(part("accuracy", "--preset", preset, *pick(options, ("--smoke",)),
                               name=f"accuracy-{preset}-{name}"))  # fmt: skip
         if smoke:
             del parts[1:]
             break
-        if preset == "default":
-            options = ("--tier", "low-overlap", "extreme", "--transforms", "4", "--viewpoints",
-                       "--threads", THREADS)  # fmt: skip
-            parts.append(part("accuracy", "--preset", preset, *options,
-                              name=f"accuracy-{preset}-viewpoints"))  # fmt: skip
     peers = ("--tier", "all", "--transforms", "1", "--threads", THREADS)
     counted = "--benchmark_out={} --benchmark_out_format=json"
     judged = [str(p.json) for p in parts if smoke or p.name.endswith("-all")]
