@@ -41,6 +41,15 @@ def test_second_line_of_a_pcd_header(bad, second):
     bad("twice.pcd", header.encode() + ROWS.tobytes(), f"a second line '{keyword}'")
 
 
+@pytest.mark.parametrize("blanks", ["\r", " ", "\t "])
+@pytest.mark.parametrize("before", ["VERSION", "WIDTH", "DATA"])
+@pytest.mark.parametrize("data", ["ascii", "binary"])
+def test_line_of_blanks_in_a_pcd_header(bad, blanks, before, data):
+    header = cloud_files.pcd_header(ROWS, data).replace(before, f"{blanks}\n{before}")
+    body = ROWS.tobytes() if data == "binary" else b"0 0 0\n" * len(POINTS)
+    bad("blank.pcd", header.encode() + body, "a line of blanks, at which PCL would end it")
+
+
 @pytest.mark.parametrize("begin", ["", "\n", "# a comment\n", " #\n\n\t"])
 @pytest.mark.parametrize("line", ["WIDTH 4000000", "FIELDS a b c", "DATA ascii"])
 def test_header_lines_where_a_binary_pcd_has_its_points(bad, begin, line):

@@ -98,8 +98,10 @@ void require_writable_as(const std::string& path, const CloudFile& cloud) {
   for (const auto& field : cloud.blob.fields) {
     if (field.name == "_") continue;
     const auto refuse = [&](const std::string& lacks, const std::string& why) {
-      throw FileFailure(path, "PLY " + lacks + " field '" + shown(field.name) + "' of '" +
-                                  cloud.path + "'" + why + ", write a .pcd file instead");
+      std::string words = "PLY ";
+      words.append(lacks).append(" field '").append(shown(field.name)).append("' of '");
+      words.append(cloud.path).append("'").append(why).append(", write a .pcd file instead");
+      throw FileFailure(path, words);
     };
     const auto type = field.datatype;
     const bool color = field.name == "rgb" || field.name == "rgba";

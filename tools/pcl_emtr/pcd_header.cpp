@@ -19,6 +19,8 @@ std::map<std::string, PcdHeader::Words> read_header(std::istream& in, const std:
   std::string line;
   while (!header.count("DATA") && std::getline(in, line)) {
     const auto words = words_of(line);
+    if (words.empty() && !line.empty())
+      throw FileFailure(path, "its PCD header has a line of blanks, at which PCL would end it");
     if (words.empty() || words[0][0] == '#') continue;
     const std::string keyword(words[0]);
     if (in.eof() && !header.empty()) throw FileFailure(path, "truncated: ends in its PCD header");

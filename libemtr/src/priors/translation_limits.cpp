@@ -7,6 +7,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kRounding = 1e-14;  // as a share of the numbers
+
 Vector3d clamped(const Vector3d& v, const Vector3d& low, const Vector3d& high) {
   return v.cwiseMax(low).cwiseMin(high);
 }
@@ -18,7 +20,11 @@ double TranslationLimits::excess(const Eigen::Matrix3d& R, const Vector3d& t) co
   if (ball) most = std::max(most, (t - ball->center).norm() - ball->radius);
   if (box) {
     const Vector3d m = t - R * box->lever;
-    most = std::max({most, (m - box->high).maxCoeff(), (box->low - m).maxCoeff()});
+    // Each bound has its own rounding: a far one must not blur a near one.
+    const auto beyond = [](const Vector3d& by, const Vector3d& bound) {
+      return (by - kRounding * bound.cwiseAbs()).maxCoeff();
+    };
+    most = std::max({most, beyond(m - box->high, box->high), beyond(box->low - m, box->low)});
   }
   return most;
 }
@@ -56,10 +62,8 @@ Eigen::Quaterniond TranslationLimits::step(const Eigen::Quaterniond& q) const {
 double TranslationLimits::rounding() const {
   double largest = 1;
   if (ball) largest = std::max(largest, ball->center.cwiseAbs().maxCoeff());
-  if (box)
-    largest = std::max({largest, box->lever.cwiseAbs().maxCoeff(), box->low.cwiseAbs().maxCoeff(),
-                        box->high.cwiseAbs().maxCoeff()});
-  return 1e-14 * largest;
+  if (box) largest = std::max(largest, box->lever.cwiseAbs().maxCoeff());
+  return kRounding * largest;
 }
 
 }  // namespace emtr
