@@ -251,6 +251,13 @@ def test_ply_has_no_room_for_some_fields(refused, tmp_path):
         assert f"field '{name}'" in message and "write a .pcd" in message
 
 
+def test_ply_holds_no_field_twice(refused, tmp_path):
+    path = cloud_files.write_pcd(tmp_path / "a.pcd", table(POINTS, w=np.zeros(COUNT, "f4")))
+    path.write_bytes(path.read_bytes().replace(b"x y z w", b"x y z x"))
+    message = refused(2, "a.pcd", "a.pcd", "--aligned", "m.ply")
+    assert "'m.ply': PLY cannot hold field 'x' of 'a.pcd', which it has twice" in message
+
+
 @pytest.mark.parametrize(
     ("name", "kind"), [("rgb_weight", "f4"), ("my_rgba", "f4"), ("rgba2", "u4")]
 )

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "failure.h"
@@ -95,6 +96,7 @@ bool write_ply(const CloudFile& cloud, const std::string& temporary) {
 
 void require_writable_as(const std::string& path, const CloudFile& cloud) {
   if (extension_of(path) != ".ply") return;
+  std::set<std::string> names;
   for (const auto& field : cloud.blob.fields) {
     if (field.name == "_") continue;
     const auto refuse = [&](const std::string& lacks, const std::string& why) {
@@ -105,6 +107,7 @@ void require_writable_as(const std::string& path, const CloudFile& cloud) {
     };
     const auto type = field.datatype;
     const bool color = field.name == "rgb" || field.name == "rgba";
+    if (!names.insert(field.name).second) refuse("cannot hold", ", which it has twice");
     if (field.count > 1) refuse("has no arrays of fixed length for", "");
     if (type < pcl::PCLPointField::INT8 || type > pcl::PCLPointField::FLOAT64)
       refuse("has no type for", " (64-bit integer or bool)");
