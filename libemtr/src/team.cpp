@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <exception>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -50,9 +51,10 @@ class Team::Helpers {
 
  private:
   /// False when there are not so many, or nothing is left beside them. They begin when all are
-  /// there: a thread whose first allocation fails, that of its thread-local data, ends the process.
+  /// there, and nobody else takes memory meanwhile: a thread whose first allocation fails, that of
+  /// its thread-local data, ends the process.
   bool start(std::size_t wanted) {
-    const std::lock_guard<std::mutex> gate(team_.mutex_);
+    std::unique_lock<std::mutex> gate(team_.mutex_);
     try {
       for (std::size_t thread = 1; thread <= wanted; ++thread)
         threads_.emplace_back([this, thread] { begin(thread); });
@@ -65,6 +67,7 @@ class Team::Helpers {
     } catch (const std::bad_alloc&) {
       team_.dismissed_ = true;
     }
+    if (!team_.dismissed_) team_.idle_.wait(gate, [&] { return team_.begun_ == wanted; });
     return !team_.dismissed_;
   }
 
@@ -72,7 +75,11 @@ class Team::Helpers {
     {
       const std::lock_guard<std::mutex> gate(team_.mutex_);
       if (team_.dismissed_) return;
+      poll();                            // looks at our thread-local data,
+      (void)std::uncaught_exceptions();  // and this at that of the exceptions
+      ++team_.begun_;
     }
+    team_.idle_.notify_one();
     team_.follow(thread);
   }
 
@@ -81,6 +88,7 @@ class Team::Helpers {
     for (std::thread& thread : threads_) thread.join();
     threads_.clear();
     team_.dismissed_ = false;
+    team_.begun_ = 0;
   }
 
   Team& team_;

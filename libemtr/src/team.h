@@ -48,6 +48,7 @@ class Team {
   std::size_t size_ = 0;  // of the present piece of work
   std::atomic<std::size_t> next_{0};
   std::size_t busy_ = 0;   // helpers at it
+  std::size_t begun_ = 0;  // helpers that have taken the memory that each needs
   std::size_t round_ = 0;  // pieces of work given out so far
   bool open_ = false;      // helpers that wake too late for a piece leave it alone
   bool dismissed_ = false;
