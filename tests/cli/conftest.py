@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 from pathlib import Path
 
@@ -12,6 +13,9 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 QUICK = ["--iterations", "2", "--population", "4", "--threads", "1"]  # where T does not matter
+
+# A shell has it ignored in what it runs in the background, and the command would go on ignoring it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
