@@ -190,9 +190,8 @@ void Registration::settle() {
 }
 
 bool Registration::unsure() const {
-  enum { Off, Auto, Always };
-  if (!search_ || search_->ranked().empty() || settings_.escalation == Off) return false;
-  return settings_.escalation == Always || standing_.confidence < settings_.escalation_confidence;
+  if (!search_ || search_->ranked().empty()) return false;
+  return in_use(settings_.escalation, standing_.confidence < settings_.escalation_confidence);
 }
 
 const FineSurfaces& Registration::fine() {
@@ -268,7 +267,9 @@ void Registration::conclude_agreement() {
   Result& r = *result_;
   const Agreement agreement = agree(problem_.pair, fine(), *answer_, problem_.kernels);
   // Without refinement the surfaces need not lie flush where the pose is right.
-  if (refined_.succeeded) standing_.confidence = doubted(standing_.confidence, agreement.crossing);
+  if (refined_.succeeded && ranked_)
+    standing_.confidence =
+        doubted(standing_.confidence, crossing(agreement, problem_.pair, fine(), problem_.kernels));
   r.leaf_fine = fine().leaf();
   r.overlap_source = agreement.overlap_source;
   r.overlap_target = agreement.overlap_target;

@@ -136,6 +136,11 @@ void validate(const Settings& settings) {
   validate_priors(settings);
 }
 
+bool in_use(int setting, bool wanted) {
+  enum { Off, Auto, Always };
+  return setting == Always || (setting == Auto && wanted);
+}
+
 int thread_count(const Settings& settings) {
   if (settings.threads > 0) return settings.threads;
   // In a parallel region of the caller's, each of its threads comes here with work of its own.

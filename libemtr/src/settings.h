@@ -35,6 +35,9 @@ Settings preset(const std::string& name);
 /// Throws Error on a value out of range, a contradiction or a guess that is no rigid motion.
 void validate(const Settings& settings);
 
+/// Whether what is off, auto or always by its setting is to be done; with auto, where `wanted`.
+bool in_use(int setting, bool wanted);
+
 /// Threads to use: the setting, or as many as OpenMP would by itself.
 int thread_count(const Settings& settings);
 

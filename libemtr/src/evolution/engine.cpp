@@ -10,13 +10,9 @@
 namespace emtr {
 namespace {
 
-enum Use { Off, Auto, Always };
-
-/// A setting for swarms that nothing but chance has placed.
-bool in_use(int setting, bool seeded) { return setting == Always || (setting == Auto && !seeded); }
-
+/// Auto is for swarms that nothing but chance has placed.
 RotationSteps steps(const Settings& settings, const SearchSpace& space, bool seeded) {
-  const bool vectors = in_use(settings.rotation_vector_steps, seeded) && space.has_euler_angles();
+  const bool vectors = in_use(settings.rotation_vector_steps, !seeded) && space.has_euler_angles();
   return vectors ? RotationSteps::Vector : RotationSteps::Angles;
 }
 
@@ -29,7 +25,7 @@ class Engine {
         beta_(beta),
         settings_(settings),
         space_(settings.translation_bound, prior),
-        transfer_(complement, space_, settings, in_use(settings.arc_transfer, seeded)),
+        transfer_(complement, space_, settings, in_use(settings.arc_transfer, !seeded)),
         poses_(space_.pose_genes(), settings, Stream::Alpha, steps(settings, space_, seeded)),
         rotations_(space_.rotation_genes(), settings, Stream::Beta,
                    steps(settings, space_, seeded)),

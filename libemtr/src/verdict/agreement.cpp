@@ -76,12 +76,16 @@ Agreement agree(const NormalisedPair& pair, const FineSurfaces& fine, const Rigi
                 const Kernels& kernels) {
   const Side source = ask(pair.source, pose, fine.target, *fine.near_target, kernels);
   const Side target = ask(pair.target, pose.inverse(), fine.source, *fine.near_source, kernels);
+  const double flatness = (source.flatness() + target.flatness()) / 2;
+  return {source.overlap, target.overlap, source.rmse, source.plane_rmse, flatness};
+}
+
+double crossing(const Agreement& agreement, const NormalisedPair& pair, const FineSurfaces& fine,
+                const Kernels& kernels) {
   const double own =
       std::max(ask(pair.source, {}, fine.source, *fine.near_source, kernels).flatness(),
                ask(pair.target, {}, fine.target, *fine.near_target, kernels).flatness());
-  const double both = (source.flatness() + target.flatness()) / 2;
-  const double crossing = (both - own) / std::max(kAtRandom - own, kRoom);
-  return {source.overlap, target.overlap, source.rmse, source.plane_rmse, crossing};
+  return (agreement.flatness - own) / std::max(kAtRandom - own, kRoom);
 }
 
 }  // namespace emtr

@@ -13,13 +13,15 @@ struct Agreement {
   /// Root mean squares over the source's points with a partner, in the normalised frame: of the
   /// distance to it, and of the distance to its tangent plane. NaN where there are none.
   double rmse = 0, plane_rmse = 0;
-  /// How the surfaces lie to each other: 0, as flush as each cloud lies on its own surface; 1, as
-  /// if they crossed at random within the leaf. Told by plane_rmse / rmse of both directions. NaN
-  /// when a direction has none.
-  double crossing = 0;
+  double flatness = 0;  ///< plane_rmse / rmse, mean of both directions; NaN when one has none
 };
 
 Agreement agree(const NormalisedPair& pair, const FineSurfaces& fine, const Rigid& pose,
+                const Kernels& kernels);
+
+/// How the surfaces lie to each other: 0, as flush as each cloud lies on its own surface; 1, as if
+/// they crossed at random within the leaf. NaN when the agreement has no flatness.
+double crossing(const Agreement& agreement, const NormalisedPair& pair, const FineSurfaces& fine,
                 const Kernels& kernels);
 
 }  // namespace emtr

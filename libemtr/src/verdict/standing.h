@@ -15,7 +15,7 @@ struct Standing {
 /// `ranked`: of a pool, best first, not empty. `source`, `target`: points of the surfaces.
 Standing stand(const std::vector<Candidate>& ranked, std::size_t source, std::size_t target);
 
-/// The confidence once the refined surfaces have been laid on each other, see Agreement::crossing.
+/// The confidence once the refined surfaces have been laid on each other, see crossing().
 double doubted(double confidence, double crossing);
 
 /// Why the best candidate is held to be right, or not. `slides`: the surfaces do not hold it in all
