@@ -251,6 +251,31 @@ def test_ply_has_no_room_for_some_fields(refused, tmp_path):
         assert f"field '{name}'" in message and "write a .pcd" in message
 
 
+@pytest.mark.parametrize("names", ["normal_x normal_y normal_z", "nx ny nz"])
+def test_ply_normals_of_doubles(aligned, tmp_path, names):
+    normals = dict(zip(names.split(), NORMALS.T.astype("f8")))
+    cloud_files.write_pcd(tmp_path / "a.pcd", table(POINTS, **normals))
+    path, T = aligned("a.pcd", ".ply")
+    found, _ = read_ply(path)
+    assert found["nx"].dtype == np.float64
+    assert np.allclose(xyz(found), moved(T, POINTS), atol=1e-5)
+    assert np.allclose(xyz(found, "nx ny nz"), NORMALS @ T[:3, :3].T, atol=1e-6)
+
+
+def test_ply_curvature_of_doubles(refused, tmp_path):
+    rows = table(POINTS, curvature=np.zeros(COUNT))
+    cloud_files.write_pcd(tmp_path / "a.pcd", rows)
+    message = refused(2, "a.pcd", "a.pcd", "--aligned", "m.ply")
+    assert "field 'curvature' of 'a.pcd', which PCL takes for a float, write a .pcd" in message
+
+
+def test_ply_holds_no_normal_by_both_its_names(refused, tmp_path):
+    normals = {name: NORMALS[:, 0].astype("f4") for name in ("normal_x", "nx")}
+    cloud_files.write_pcd(tmp_path / "a.pcd", table(POINTS, **normals))
+    message = refused(2, "a.pcd", "a.pcd", "--aligned", "m.ply")
+    assert "'m.ply': PLY cannot hold field 'nx' of 'a.pcd', which it has twice" in message
+
+
 def test_ply_holds_no_field_twice(refused, tmp_path):
     path = cloud_files.write_pcd(tmp_path / "a.pcd", table(POINTS, w=np.zeros(COUNT, "f4")))
     path.write_bytes(path.read_bytes().replace(b"x y z w", b"x y z x"))

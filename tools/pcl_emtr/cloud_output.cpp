@@ -69,6 +69,13 @@ bool taken_for_color(const pcl::PCLPointField& field) {
          (field.datatype == pcl::PCLPointField::UINT32 && has("rgba"));
 }
 
+/// A normal's name in PLY files. PCL gives it too, but calls what it had by another name a float,
+/// whatever bytes follow.
+std::string ply_name(const std::string& name) {
+  const bool normal = name == "normal_x" || name == "normal_y" || name == "normal_z";
+  return normal ? std::string("n") + name.back() : name;
+}
+
 bool write_ply(const CloudFile& cloud, const std::string& temporary) {
   pcl::PCLPointCloud2 blob = cloud.blob;
   auto& fields = blob.fields;  // "_" is PCD's name for bytes that mean nothing
@@ -77,6 +84,7 @@ bool write_ply(const CloudFile& cloud, const std::string& temporary) {
                fields.end());
   // PCL names the colour's properties by the field's name, but counts its bytes by the type.
   for (auto& field : fields) {
+    field.name = ply_name(field.name);
     if (field.name == "rgb") field.datatype = pcl::PCLPointField::FLOAT32;
     if (field.name == "rgba") field.datatype = pcl::PCLPointField::UINT32;
   }
@@ -107,10 +115,12 @@ void require_writable_as(const std::string& path, const CloudFile& cloud) {
     };
     const auto type = field.datatype;
     const bool color = field.name == "rgb" || field.name == "rgba";
-    if (!names.insert(field.name).second) refuse("cannot hold", ", which it has twice");
+    if (!names.insert(ply_name(field.name)).second) refuse("cannot hold", ", which it has twice");
     if (field.count > 1) refuse("has no arrays of fixed length for", "");
     if (type < pcl::PCLPointField::INT8 || type > pcl::PCLPointField::FLOAT64)
       refuse("has no type for", " (64-bit integer or bool)");
+    if (field.name == "curvature" && type != pcl::PCLPointField::FLOAT32)
+      refuse("cannot hold", ", which PCL takes for a float");
     if (color && pcl::getFieldSize(type) != 4) refuse("cannot hold", ", which is not 4 bytes");
     if (!color && taken_for_color(field))
       refuse("cannot hold", ", which PCL takes for a colour by its name");
