@@ -9,9 +9,12 @@ cdef extern from "emtr/emtr.h" nogil:
         EMTR_ERROR_CLOUD
         EMTR_ERROR_MEMORY
         EMTR_ERROR_INTERNAL
+        EMTR_ERROR_INTERRUPTED
 
     const char* emtr_status_text(emtr_status status)
     const char* emtr_error_message()
+    ctypedef int (*emtr_interrupt_fn)(void* user) noexcept
+    void emtr_set_interrupt(emtr_interrupt_fn interrupt, void* user)
     const char* emtr_version()
     const char* emtr_kernel_name()
 

@@ -10,11 +10,13 @@ cdef class Prepared:
         cdef const char* letters = text
         cdef emtr_prepared* made = NULL
         cdef emtr_status status
+        cdef Interrupt interrupt = Interrupt()
         if self.prepared != NULL:
             raise RuntimeError("a cloud is prepared once")
+        interrupt.begin()
         with nogil:
             status = emtr_prepare(&buffer.cloud, letters, threads, &made)
-        check(status)
+        interrupt.end(status)
         self.prepared = made
 
     def __dealloc__(self):

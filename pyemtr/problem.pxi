@@ -26,18 +26,21 @@ cdef class Problem:
         cdef emtr_settings* chosen = &settings.values
         cdef emtr_problem* made = NULL
         cdef emtr_status status
+        cdef Interrupt interrupt = Interrupt()
         if self.problem != NULL:
             raise RuntimeError("a problem is made once")
         if isinstance(source, Prepared) or isinstance(target, Prepared):
             c = prepared(source, "source", settings)
             d = prepared(target, "target", settings)
+            interrupt.begin()
             with nogil:
                 status = emtr_problem_create_prepared(c.prepared, d.prepared, chosen, &made)
         else:
             a, b = source, target
+            interrupt.begin()
             with nogil:
                 status = emtr_problem_create(&a.cloud, &b.cloud, chosen, &made)
-        check(status)
+        interrupt.end(status)
         self.problem = made
 
     def __dealloc__(self):
@@ -56,26 +59,30 @@ cdef class Problem:
         cdef size_t count = particles.shape[0]
         cdef emtr_stage stage = EMTR_STAGE_DENSE if dense else EMTR_STAGE_SPARSE
         cdef emtr_status status
+        cdef Interrupt interrupt = Interrupt()
         cdef const double* genes
         cdef double* values
         self.agree(particles, fitness, 6)
         if count:
             genes, values = &particles[0, 0], &fitness[0]
+            interrupt.begin()
             with nogil:
                 status = emtr_task_alpha_evaluate(self.problem, stage, genes, count, values)
-            check(status)
+            interrupt.end(status)
 
     def evaluate_beta(self, const double[:, ::1] particles, double[::1] fitness):
         cdef size_t count = particles.shape[0]
         cdef emtr_status status
+        cdef Interrupt interrupt = Interrupt()
         cdef const double* genes
         cdef double* values
         self.agree(particles, fitness, 3)
         if count:
             genes, values = &particles[0, 0], &fitness[0]
+            interrupt.begin()
             with nogil:
                 status = emtr_task_beta_evaluate(self.problem, genes, count, values)
-            check(status)
+            interrupt.end(status)
 
     cdef int agree(self, const double[:, ::1] particles, double[::1] fitness, genes) except -1:
         if particles.shape[1] != genes or fitness.shape[0] != particles.shape[0]:

@@ -1,4 +1,5 @@
-# The progress callback: how a run that holds no GIL hears of Python again.
+# How a call that holds no GIL hears of Python again: by the progress callback of a run, else by
+# this thread's interrupt.
 
 @cython.final
 cdef class Watch:
@@ -22,4 +23,28 @@ cdef int on_progress(const emtr_progress* progress, void* user) noexcept with gi
         return 1 if stop else 0
     except BaseException as error:  # C cannot be unwound: finish() raises it again
         watch.error = error
+        return 1
+
+
+@cython.final
+cdef class Interrupt:
+    """Around a call that takes no callback: Ctrl-C ends it, and here is what its handler raised."""
+    cdef object error
+
+    cdef void begin(self) noexcept:
+        emtr_set_interrupt(on_interrupt, <void*>self)
+
+    cdef int end(self, emtr_status status) except -1:
+        emtr_set_interrupt(NULL, NULL)
+        if self.error is not None:
+            raise self.error
+        return check(status)
+
+
+cdef int on_interrupt(void* user) noexcept with gil:
+    try:
+        PyErr_CheckSignals()
+        return 0
+    except BaseException as error:  # end() raises it again
+        (<Interrupt>user).error = error
         return 1

@@ -8,15 +8,17 @@ def residuals(source, target, const double[::1] transformation, int threads, bin
     cdef double* values = NULL
     cdef const double* pose
     cdef emtr_status status
+    cdef Interrupt interrupt = Interrupt()
     cdef size_t count = b.cloud.count if of_target else a.cloud.count
     if transformation.shape[0] != 16 or <size_t>out.shape[0] != count:
         raise ValueError("16 numbers and room for a number a point are expected")
     if count == 0:
         return
     values, pose = &out[0], &transformation[0]
+    interrupt.begin()
     with nogil:
         if of_target:
             status = emtr_residuals(&a.cloud, &b.cloud, pose, threads, NULL, values)
         else:
             status = emtr_residuals(&a.cloud, &b.cloud, pose, threads, values, NULL)
-    check(status)
+    interrupt.end(status)

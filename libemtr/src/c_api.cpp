@@ -38,6 +38,24 @@ namespace {
 
 thread_local std::string last_error;
 
+struct Interrupt {
+  emtr_interrupt_fn ask = nullptr;
+  void* user = nullptr;
+};
+thread_local Interrupt interrupt;
+
+/// Of this thread, as a run asks it; null when there is none.
+emtr::OnProgress interrupt_function() {
+  if (!interrupt.ask) return nullptr;
+  return [](const emtr_progress&) {
+    struct Unasked {
+      const Interrupt now = std::exchange(interrupt, {});
+      ~Unasked() { interrupt = now; }
+    } const unasked;
+    return unasked.now.ask(unasked.now.user) != 0;
+  };
+}
+
 /// Keeps the message even when there is no memory for it: a short one needs none.
 void tell(const char* prefix, const char* text) noexcept {
   try {
@@ -67,13 +85,18 @@ class DefaultArithmetic {
 template <class Body>
 emtr_status guarded(Body body) noexcept {
   const DefaultArithmetic arithmetic;
-  const emtr::Watched nobody(nullptr);  // this may be a call out of the callback of a run
   try {
+    // Not the watch of the run that this may be called back from.
+    emtr::Watch watch(interrupt_function());
+    const emtr::Watched watched(interrupt.ask ? &watch : nullptr);
     body();
     return EMTR_OK;
   } catch (const emtr::Error& error) {
     tell("", error.what());
     return error.status();
+  } catch (const emtr::Stopped&) {
+    tell("", "interrupted");
+    return EMTR_ERROR_INTERRUPTED;
   } catch (const std::bad_alloc&) {
     tell("", "out of memory");
     return EMTR_ERROR_MEMORY;
@@ -122,7 +145,7 @@ emtr::Settings settings_or_preset(const emtr_settings* settings) {
 }
 
 emtr::OnProgress progress_function(emtr_progress_fn progress, void* user) {
-  if (!progress) return nullptr;
+  if (!progress) return interrupt_function();
   return [=](const emtr_progress& p) { return progress(&p, user) != 0; };
 }
 
@@ -156,6 +179,15 @@ int thread_count(std::int32_t threads) {
   emtr::Settings settings{};
   emtr::set(settings, "threads", threads);
   return emtr::thread_count(settings);
+}
+
+/// Of clouds, or of prepared ones.
+template <class Cloud>
+emtr_problem* made(const Cloud& source, const Cloud& target, const emtr_settings* settings) {
+  auto problem = std::make_unique<emtr_problem>(source, target, settings_or_preset(settings),
+                                                interrupt_function());
+  if (problem->stopped()) throw emtr::Stopped();
+  return problem.release();
 }
 
 /// A problem that tasks can be evaluated on.
@@ -205,6 +237,8 @@ const char* emtr_status_text(emtr_status status) {
       return "out of memory";
     case EMTR_ERROR_INTERNAL:
       return "internal error";
+    case EMTR_ERROR_INTERRUPTED:
+      return "interrupted";
   }
   return "unknown status";
 }
@@ -250,6 +284,8 @@ const char* emtr_reason_text(emtr_reason reason) {
 }
 
 const char* emtr_error_message(void) { return last_error.c_str(); }
+
+void emtr_set_interrupt(emtr_interrupt_fn function, void* user) { interrupt = {function, user}; }
 
 const char* emtr_version(void) {
   return EMTR_TEXT(EMTR_VERSION_MAJOR) "." EMTR_TEXT(EMTR_VERSION_MINOR) "." EMTR_TEXT(
@@ -384,8 +420,7 @@ emtr_status emtr_problem_create_prepared(const emtr_prepared* source, const emtr
                                          const emtr_settings* settings, emtr_problem** problem) {
   return guarded([&] {
     required(problem, "problem") = nullptr;
-    *problem = new emtr_problem(required(source, "source").cloud, required(target, "target").cloud,
-                                settings_or_preset(settings), nullptr);
+    *problem = made(required(source, "source").cloud, required(target, "target").cloud, settings);
   });
 }
 
@@ -393,8 +428,7 @@ emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* targ
                                 const emtr_settings* settings, emtr_problem** problem) {
   return guarded([&] {
     required(problem, "problem") = nullptr;
-    *problem = new emtr_problem(required(source, "source"), required(target, "target"),
-                                settings_or_preset(settings), nullptr);
+    *problem = made(required(source, "source"), required(target, "target"), settings);
   });
 }
 

@@ -258,3 +258,32 @@ def test_ctrl_c(run, callback, tmp_path):
         finally:
             child.kill()
     assert out == "interrupted\n" and child.returncode == 0
+
+
+MANY = np.random.default_rng(0).normal(size=(3_000_000, 3))
+CALLS = {
+    "Cloud": lambda: pyemtr.Cloud(MANY, threads=1),
+    "Problem": lambda: pyemtr.Problem(MANY, MANY, threads=1),
+    "residuals": lambda: pyemtr.residuals(MANY, MANY[:100_000], np.eye(4), threads=1),
+}
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_signals_reach_calls_without_a_callback(name):
+    """Those that come after a call are handled once, however many they are."""
+    handled = []
+
+    def handler(*_):
+        handled.append(1)
+        if len(handled) == 4:
+            raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, handler)
+    signal.setitimer(signal.ITIMER_REAL, 0.015, 0.015)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            CALLS[name]()
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert len(handled) >= 4

@@ -45,7 +45,8 @@ typedef enum emtr_status {
   EMTR_ERROR_CLOUD = 3,    /* a cloud that cannot be registered: too few points, no extent */
   /* an allocation failed, on whatever thread */
   EMTR_ERROR_MEMORY = 4,
-  EMTR_ERROR_INTERNAL = 5 /* a defect of the library or of what it is built on */
+  EMTR_ERROR_INTERNAL = 5,   /* a defect of the library or of what it is built on */
+  EMTR_ERROR_INTERRUPTED = 6 /* what emtr_set_interrupt() was given asked for the end */
 } emtr_status;
 
 /* What a status means in general, in a few words. Never null. */
@@ -54,6 +55,14 @@ EMTR_API const char* emtr_status_text(emtr_status status);
 /* What went wrong in the last failed call of this thread: names the cloud, the argument or
  * the setting and what was expected. Never null; empty when nothing has failed. */
 EMTR_API const char* emtr_error_message(void);
+
+/* Returns other than 0 to end the call that asks. May call the library; such calls ask nobody. */
+typedef int (*emtr_interrupt_fn)(void* user);
+
+/* Whom the further calls of this thread ask, every 20 ms or so, whether to end: those that take no
+ * progress function or are given none. A registration ends as interrupted, any other call with
+ * EMTR_ERROR_INTERRUPTED. Null: nobody, as at first. */
+EMTR_API void emtr_set_interrupt(emtr_interrupt_fn interrupt, void* user);
 
 /* The library's version, as "major.minor.patch". */
 EMTR_API const char* emtr_version(void);
@@ -443,7 +452,8 @@ EMTR_API emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* t
  * to 1e-6 of the other cloud's size, or of the distance where that is larger, for clouds of any
  * shape with one finite point or more; NaN for points with a NaN or an infinity. of_source has room
  * for source->count numbers, of_target for target->count; null for what is not wanted. `threads` as
- * in the settings, without influence on the numbers. */
+ * in the settings, without influence on the numbers. Asks nobody (emtr_set_interrupt()) while PCL
+ * sorts the other cloud into a tree. */
 EMTR_API emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
                                     const double transformation[16], int32_t threads,
                                     double* of_source, double* of_target);
