@@ -6,7 +6,10 @@ import argparse
 import time
 from typing import Any
 
+from .overshoot import Register, after_limit, after_signal
 from .scaling import STAGES
+
+BY = {"limit": after_limit, "signal": after_signal}
 
 
 def parse() -> argparse.Namespace:
@@ -15,7 +18,12 @@ def parse() -> argparse.Namespace:
         description="Registers two scans of a bumpy ball again and again, all stages by preset "
         "thorough, and prints for each stage how long at most nobody was asked whether to stop, "
         "how long at most a run took to end once it was told, and the sum of the two: what a user "
-        "waits at most after Ctrl-C. The machine should have nothing else to do.",
+        "waits at most after the callback would say stop. With --by limit or --by signal a limit "
+        "or a signal ends the runs at moments of each stage, and what is printed is how long they "
+        "went on after it. The machine should have nothing else to do.",
+    )
+    parser.add_argument(
+        "--by", choices=["callback", *BY], default="callback", help="what ends a run [%(default)s]"
     )
     parser.add_argument("--points", type=int, default=10_000_000, help="of a cloud [%(default)s]")
     parser.add_argument("--threads", type=int, default=0, help="0: as OpenMP would [%(default)s]")
@@ -61,24 +69,35 @@ def latencies(arguments: argparse.Namespace) -> int:
 
     pair = ball_pair(arguments.points, 1)
 
-    def register(watcher: Watcher) -> pyemtr.Result:
+    def register(watcher: Watcher | None = None, **settings: Any) -> pyemtr.Result:
         return pyemtr.register(
             pair.source,
             pair.target,
             preset="thorough",
             threads=arguments.threads,
             callback=watcher,
+            **settings,
         )
 
     whole = Watcher()
     result = register(whole)
     print(f"{arguments.points} points a cloud, {result.threads} threads, {result.kernel}, ms:\n")
+    if arguments.by == "callback":
+        worst = by_callback(register, whole, result, arguments.stops)
+    else:
+        worst = by_clock(register, arguments.by, result, arguments.stops)
+    print(f"\nworst: {1e3 * worst:.1f} ms")
+    return 0
+
+
+def by_callback(register: Register, whole: Watcher, result: Any, stops: int) -> float:
+    """Prints a row a stage; the worst, in seconds."""
     print(f"{'stage':12} {'lasts':>8} {'asked':>6} {'silence':>8} {'to end':>8} {'in all':>8}")
     worst = 0.0
     for stage in STAGES:
         to_end, silence = 0.0, whole.silence[stage]
-        for stop in range(arguments.stops):
-            watcher = Watcher(stage, result.timings[stage] * stop / arguments.stops)
+        for stop in range(stops):
+            watcher = Watcher(stage, result.timings[stage] * stop / stops)
             stopped = register(watcher)
             end = time.perf_counter()
             if not watcher.told:  # the stage was over sooner this time
@@ -91,5 +110,18 @@ def latencies(arguments: argparse.Namespace) -> int:
         row = (result.timings[stage], silence, to_end, silence + to_end)
         lasts, *rest = (f"{1e3 * seconds:8.1f}" for seconds in row)
         print(f"{stage:12} {lasts} {whole.asked[stage]:6} {' '.join(rest)}")
-    print(f"\nworst: {1e3 * worst:.1f} ms")
-    return 0
+    return worst
+
+
+def by_clock(register: Register, by: str, result: Any, stops: int) -> float:
+    """Prints a row a stage, as the undisturbed run went; the worst, in seconds."""
+    print(f"{'stage':12} {'lasts':>8} {'ended':>6} {'after':>8}")
+    begin = worst = 0.0
+    for stage in STAGES:
+        lasts = result.timings[stage]
+        moments = [begin + lasts * (stop + 0.5) / stops for stop in range(stops)]
+        ended = [after for at in moments if (after := BY[by](register, at)) is not None]
+        longest = max(ended, default=0.0)
+        worst, begin = max(worst, longest), begin + lasts
+        print(f"{stage:12} {1e3 * lasts:8.1f} {len(ended):6} {1e3 * longest:8.1f}")
+    return worst
