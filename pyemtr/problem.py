@@ -101,7 +101,10 @@ class Problem(ProblemViews):
         return fitness
 
     def complement(self, angles: Any) -> Floats:
-        """Algorithm 2: angles (3,) to the translation (3,), normalised, that completes them."""
+        """Algorithm 2: angles (3,) to the translation (3,), normalised, that completes them.
+
+        With priors it completes the nearest rotation that they admit, to a pose that they admit.
+        """
         a, b, c = as_vector(angles, "angles", 3).tolist()
         with self._alone():
             return np.array(self._raw.complement(a, b, c), dtype=np.float64)

@@ -476,7 +476,7 @@ emtr_status emtr_complement(emtr_problem* problem, const double angles[3], doubl
     double R[9];
     require_near(&required(angles, "angles"), 3, "angles");
     emtr::euler_to_rotation(angles, R);
-    p.complement->translation(R, &required(translation, "translation"), nullptr);
+    p.complement->translation(R, &required(translation, "translation"), p.prior.get());
     p.lookups += p.complement->lookups();
   });
 }

@@ -161,6 +161,17 @@ def test_any_threads_and_a_problem_give_the_same_bits(pair):
     assert problem.settings["translation_bounds"] == [low.tolist(), high.tolist()]
 
 
+def test_the_complement_keeps_to_the_bounds(pair):
+    angles = pyemtr.Problem(pair.source, pair.target, **SMALL).to_particle(pair.truth)[:3]
+    away = pair.truth[:3, 3] + [0.3, 0, 0]
+    problem = pyemtr.Problem(
+        pair.source, pair.target, translation_bounds=(away - 0.01, away + 0.01), **SMALL
+    )
+    T = problem.to_transformation([*angles, *problem.complement(angles)])
+    assert np.allclose(T[:3, :3], pair.truth[:3, :3])
+    assert (np.abs(T[:3, 3] - away) <= 0.01 + 1e-9).all()
+
+
 def test_the_unit_of_the_clouds_is_that_of_the_priors(pair):
     wanted = random_priors(np.random.default_rng(4), 5, pair.truth, pair.source)
     one = pyemtr.register(pair.source, pair.target, threads=2, **wanted)

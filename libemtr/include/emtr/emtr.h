@@ -535,7 +535,8 @@ EMTR_API emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage 
 EMTR_API emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particles,
                                              size_t count, double* fitness);
 
-/* Algorithm 2: the translation (normalised frame) that completes a rotation. */
+/* Algorithm 2: the translation (normalised frame) that completes a rotation, or, where priors are
+ * set, the nearest rotation that they admit, to a pose that they admit. */
 EMTR_API emtr_status emtr_complement(emtr_problem* problem, const double angles[3],
                                      double translation[3]);
 
