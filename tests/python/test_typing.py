@@ -111,6 +111,7 @@ def test_the_stub_is_true_to_the_extension(tmp_path):
         "ARRAYS",
         "SETTING_TYPES",
         "CloudBuffer",
+        "Interrupt",
         "Watch",
         r"ArrayView\.__buffer__",
     ]

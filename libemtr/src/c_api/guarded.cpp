@@ -1,0 +1,104 @@
+#include "guarded.h"
+
+#include <cfenv>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "../error.h"
+
+namespace emtr {
+namespace {
+
+thread_local std::string last_error;
+
+struct Interrupt {
+  emtr_interrupt_fn ask = nullptr;
+  void* user = nullptr;
+};
+thread_local Interrupt interrupt;
+
+/// Keeps the message even when there is no memory for it: a short one needs none.
+void tell(const char* prefix, const char* text) noexcept {
+  try {
+    last_error = std::string(prefix) + text;
+  } catch (const std::bad_alloc&) {
+    last_error = "out of memory";
+  }
+}
+
+/// The default floating-point environment while it lives: rounding to nearest, and no denormal
+/// taken for zero, whatever the caller or a library of its that was built with -ffast-math has set.
+class DefaultArithmetic {
+ public:
+  DefaultArithmetic() {
+    std::fegetenv(&callers_);
+    std::fesetenv(FE_DFL_ENV);
+  }
+  ~DefaultArithmetic() { std::fesetenv(&callers_); }
+  DefaultArithmetic(const DefaultArithmetic&) = delete;
+  DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
+
+ private:
+  std::fenv_t callers_;
+};
+
+}  // namespace
+
+OnProgress interrupt_function() {
+  if (!interrupt.ask) return nullptr;
+  return [](const emtr_progress&) {
+    struct Unasked {
+      const Interrupt now = std::exchange(interrupt, {});
+      ~Unasked() { interrupt = now; }
+    } const unasked;
+    return unasked.now.ask(unasked.now.user) != 0;
+  };
+}
+
+OnProgress progress_function(emtr_progress_fn progress, void* user) {
+  if (!progress) return interrupt_function();
+  return [=](const emtr_progress& p) { return progress(&p, user) != 0; };
+}
+
+emtr_status guarded(void (*call)(const void* body), const void* body) noexcept {
+  const DefaultArithmetic arithmetic;
+  try {
+    // Not the watch of the run that this may be called back from.
+    Watch watch(interrupt_function());
+    const Watched watched(interrupt.ask ? &watch : nullptr);
+    call(body);
+    return EMTR_OK;
+  } catch (const Error& error) {
+    tell("", error.what());
+    return error.status();
+  } catch (const Stopped&) {
+    tell("", "interrupted");
+    return EMTR_ERROR_INTERRUPTED;
+  } catch (const std::bad_alloc&) {
+    tell("", "out of memory");
+    return EMTR_ERROR_MEMORY;
+  } catch (const std::length_error&) {
+    tell("", "out of memory");
+    return EMTR_ERROR_MEMORY;
+  } catch (const std::exception& error) {
+    tell("unexpected: ", error.what());
+    return EMTR_ERROR_INTERNAL;
+  } catch (...) {
+    tell("", "the progress function threw what is no std::exception");
+    return EMTR_ERROR_INTERNAL;
+  }
+}
+
+}  // namespace emtr
+
+extern "C" {
+
+const char* emtr_error_message(void) { return emtr::last_error.c_str(); }
+
+void emtr_set_interrupt(emtr_interrupt_fn function, void* user) {
+  emtr::interrupt = {function, user};
+}
+
+}  // extern "C"

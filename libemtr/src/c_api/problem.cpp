@@ -1,0 +1,96 @@
+#include "../problem.h"
+
+#include <emtr/emtr.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "../enum_number.h"
+#include "arguments.h"
+#include "guarded.h"
+#include "handles.h"
+
+using emtr::checked;
+using emtr::guarded;
+using emtr::required;
+
+namespace {
+
+/// Of clouds, or of prepared ones.
+template <class Cloud>
+emtr_problem* made(const Cloud& source, const Cloud& target, const emtr_settings* settings) {
+  auto problem = std::make_unique<emtr_problem>(source, target, emtr::settings_or_preset(settings),
+                                                emtr::interrupt_function());
+  if (problem->stopped()) throw emtr::Stopped();
+  return problem.release();
+}
+
+}  // namespace
+
+extern "C" {
+
+emtr_status emtr_problem_create_prepared(const emtr_prepared* source, const emtr_prepared* target,
+                                         const emtr_settings* settings, emtr_problem** problem) {
+  return guarded([&] {
+    required(problem, "problem") = nullptr;
+    *problem = made(required(source, "source").cloud, required(target, "target").cloud, settings);
+  });
+}
+
+emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
+                                const emtr_settings* settings, emtr_problem** problem) {
+  return guarded([&] {
+    required(problem, "problem") = nullptr;
+    *problem = made(required(source, "source"), required(target, "target"), settings);
+  });
+}
+
+void emtr_problem_free(emtr_problem* problem) { delete problem; }
+
+emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress, void* user,
+                               emtr_result** result) {
+  return guarded([&] {
+    required(result, "result") = nullptr;
+    *result = checked(problem).solve(emtr::progress_function(progress, user)).release();
+  });
+}
+
+uint64_t emtr_problem_lookups(const emtr_problem* problem) {
+  return problem ? problem->lookups.load() : 0;
+}
+
+emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info,
+                                  size_t size) {
+  return guarded([&] {
+    const emtr_problem& p = checked(problem);
+    emtr_problem_info out{};
+    out.scale = p.frame.scale;
+    std::copy_n(p.frame.center_source, 3, out.center_source);
+    std::copy_n(p.frame.center_target, 3, out.center_target);
+    out.leaf_sparse = p.densities.leaf_sparse;
+    out.leaf_dense = p.densities.leaf_dense;
+    out.c_sparse = p.alpha->scale(EMTR_STAGE_SPARSE);
+    out.c_dense = p.alpha->scale(EMTR_STAGE_DENSE);
+    out.tau = p.tau;
+    out.tims = p.tims.formed();
+    out.tims_pruned = p.tims.pruned;
+    emtr::hand_out(out, info, size);
+  });
+}
+
+emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which, const void** data,
+                               size_t* rows, size_t* columns) {
+  return guarded([&] {
+    const emtr_problem& p = checked(problem);
+    const int number = emtr::number_of(which);
+    if (number < EMTR_SOURCE_SPARSE || number > EMTR_TARGET_FEATURE_ROWS)
+      throw emtr::Error(EMTR_ERROR_ARGUMENT, "array: there is none of that number");
+    const emtr::ProblemArrays::View array = p.arrays.view(which);
+    required(data, "data") = array.data;
+    required(rows, "rows") = array.rows;
+    required(columns, "columns") = array.columns;
+  });
+}
+
+}  // extern "C"

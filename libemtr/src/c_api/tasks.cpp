@@ -1,0 +1,105 @@
+#include <emtr/emtr.h>
+
+#include <string>
+#include <vector>
+
+#include "../enum_number.h"
+#include "../tasks/euler.h"
+#include "../team.h"
+#include "arguments.h"
+#include "guarded.h"
+#include "handles.h"
+
+using emtr::checked;
+using emtr::guarded;
+using emtr::required;
+
+namespace {
+
+void require_near(const double* values, std::size_t count, const char* name) {
+  if (!emtr::is_near(values, count))
+    throw emtr::Error(EMTR_ERROR_ARGUMENT, std::string(name) + ": not finite or beyond 1e6");
+}
+
+/// Scores n particles of `genes` numbers in parallel, on the problem's own count of threads.
+template <class Score>
+void evaluate_all(const emtr_problem& problem, const double* particles, std::size_t n,
+                  std::size_t genes, double* fitness, Score score) {
+  if (n == 0) return;
+  required(particles, "particles");
+  required(fitness, "fitness");
+  for (std::size_t i = 0; i < n; ++i)
+    if (!emtr::is_near(particles + genes * i, genes))
+      throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                        "particles: row " + std::to_string(i) + ": not finite or beyond 1e6");
+  const int threads = emtr::thread_count(problem.settings);
+  std::vector<emtr::TaskAlpha::Scratch> scratch(static_cast<std::size_t>(threads));
+  emtr::Team::with(threads, [&](emtr::Team& team) {
+    team.parallel(n, [&](std::size_t i, std::size_t thread) {
+      fitness[i] = score(particles + genes * i, scratch[thread]);
+    });
+  });
+}
+
+}  // namespace
+
+extern "C" {
+
+emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
+                                     const double* particles, size_t count, double* fitness) {
+  return guarded([&] {
+    emtr_problem& p = checked(problem);
+    const int number = emtr::number_of(stage);
+    if (number != EMTR_STAGE_SPARSE && number != EMTR_STAGE_DENSE)
+      throw emtr::Error(EMTR_ERROR_ARGUMENT, "stage must be EMTR_STAGE_SPARSE or EMTR_STAGE_DENSE");
+    evaluate_all(p, particles, count, 6, fitness,
+                 [&](const double* particle, emtr::TaskAlpha::Scratch& scratch) {
+                   return p.alpha->evaluate(stage, emtr::decode(particle), scratch);
+                 });
+    p.lookups += count * p.alpha->lookups(stage);
+  });
+}
+
+emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particles, size_t count,
+                                    double* fitness) {
+  return guarded([&] {
+    const emtr_problem& p = checked(problem);
+    evaluate_all(p, particles, count, 3, fitness,
+                 [&](const double* angles, emtr::TaskAlpha::Scratch&) {
+                   double R[9];
+                   emtr::euler_to_rotation(angles, R);
+                   return p.beta->evaluate(R);
+                 });
+  });
+}
+
+emtr_status emtr_complement(emtr_problem* problem, const double angles[3], double translation[3]) {
+  return guarded([&] {
+    emtr_problem& p = checked(problem);
+    double R[9];
+    require_near(&required(angles, "angles"), 3, "angles");
+    emtr::euler_to_rotation(angles, R);
+    p.complement->translation(R, &required(translation, "translation"), p.prior.get());
+    p.lookups += p.complement->lookups();
+  });
+}
+
+emtr_status emtr_particle_to_transformation(const emtr_problem* problem, const double particle[6],
+                                            double T[16]) {
+  return guarded([&] {
+    require_near(&required(particle, "particle"), 6, "particle");
+    const emtr::Rigid pose = checked(problem).frame.to_user(emtr::decode(particle));
+    emtr::to_matrix(pose, &required(T, "transformation"));
+  });
+}
+
+emtr_status emtr_transformation_to_particle(const emtr_problem* problem, const double T[16],
+                                            double particle[6]) {
+  return guarded([&] {
+    const emtr::Rigid pose =
+        checked(problem).frame.to_normalised(emtr::given_rigid(&required(T, "transformation")));
+    emtr::encode(pose, &required(particle, "particle"));
+  });
+}
+
+}  // extern "C"
