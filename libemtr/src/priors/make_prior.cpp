@@ -30,6 +30,12 @@ Quaterniond rotation_of(const Rigid& pose) {
   return Quaterniond(Eigen::Matrix3d(Eigen::Map<const Rotation>(pose.R))).normalized();
 }
 
+/// Of any length that floating point can hold, the square of which it may not.
+Vector3d direction(const double v[3]) {
+  const Vector3d given = Vector3d::Map(v);
+  return (given / given.cwiseAbs().maxCoeff()).normalized();
+}
+
 RotationLimits rotation_limits(const Settings& s, const Rigid& guess) {
   RotationLimits out;
   if (limits_rotation(s)) out.balls.push_back({rotation_of(guess), s.guess_rotation * kDegree});
@@ -40,7 +46,7 @@ RotationLimits rotation_limits(const Settings& s, const Rigid& guess) {
     Arc angle;
     if (half < 180)
       angle = {(s.axis_angle_minimum + s.axis_angle_maximum) / 2 * kDegree, half * kDegree};
-    out.axis = {Vector3d::Map(s.axis).stableNormalized(), s.axis_tilt * kDegree, angle};
+    out.axis = {direction(s.axis), s.axis_tilt * kDegree, angle};
   }
   return out;
 }

@@ -156,6 +156,19 @@ TEST(MakePrior, AGuessOfFewDigitsIsARotationToAllOfThem) {
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(pose.R[i], s.guess[i / 3 * 4 + i % 3], 2e-4);
 }
 
+TEST(MakePrior, AnAxisMayHaveAnyLength) {
+  for (const double length : {std::numeric_limits<double>::denorm_min(), 1e-310, 1e-200, 1.0, 1e200,
+                              std::numeric_limits<double>::max()}) {
+    Settings s = emtr::preset("default");
+    s.has_axis = 1;
+    s.axis[0] = s.axis[1] = length;
+    s.axis[2] = -length;
+    const auto prior = emtr::make_prior(s, emtr::Frame());
+    const Eigen::Vector3d axis = prior->rotation().axis->axis;
+    EXPECT_LT((axis - Eigen::Vector3d(1, 1, -1).normalized()).norm(), 1e-15) << length;
+  }
+}
+
 TEST(MakePrior, AnAngleMayCrossHalfATurn) {
   Settings s = emtr::preset("default");
   up(s);
