@@ -1,9 +1,9 @@
 #include "team.h"
 
 #include <signal.h>
+#include <sys/mman.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <exception>
 #include <new>
 #include <system_error>
@@ -29,6 +29,15 @@ class SignalsHeld {
  private:
   sigset_t before_;
 };
+
+/// Whether a thread can have its first allocations: where it gets no heap of its own, each is some
+/// pages. Asked of the system, as the C library may have room left in a heap that it does not
+/// share.
+bool room_to_begin() {
+  constexpr std::size_t enough = std::size_t{1} << 20;
+  void* room = mmap(nullptr, enough, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return room != MAP_FAILED && munmap(room, enough) == 0;
+}
 
 }  // namespace
 
@@ -58,16 +67,12 @@ class Team::Helpers {
     try {
       for (std::size_t thread = 1; thread <= wanted; ++thread)
         threads_.emplace_back([this, thread] { begin(thread); });
-      constexpr std::size_t enough = std::size_t{1} << 20;
-      void* volatile margin = std::malloc(enough);  // volatile: not to be optimised away
-      team_.dismissed_ = margin == nullptr;
-      std::free(margin);
     } catch (const std::system_error&) {
       team_.dismissed_ = true;
     } catch (const std::bad_alloc&) {
       team_.dismissed_ = true;
     }
-    if (!team_.dismissed_) team_.idle_.wait(gate, [&] { return team_.begun_ == wanted; });
+    team_.idle_.wait(gate, [&] { return team_.dismissed_ || team_.begun_ == wanted; });
     return !team_.dismissed_;
   }
 
@@ -75,8 +80,13 @@ class Team::Helpers {
     {
       const std::lock_guard<std::mutex> gate(team_.mutex_);
       if (team_.dismissed_) return;
-      poll();                            // looks at our thread-local data,
-      (void)std::uncaught_exceptions();  // and this at that of the exceptions
+      if (!room_to_begin()) {
+        team_.dismissed_ = true;
+        team_.idle_.notify_one();
+        return;
+      }
+      poll();  // looks at our thread-local data, and this at that of the exceptions
+      [[maybe_unused]] const volatile int none = std::uncaught_exceptions();  // else left out: pure
       ++team_.begun_;
     }
     team_.idle_.notify_one();

@@ -37,7 +37,8 @@ void require_distances(const std::vector<double>& distances, const std::vector<V
     double least = INFINITY;
     for (const Vector3d& p : others)
       if (p.allFinite()) least = std::min(least, (points[i] - p).stableNorm());
-    const double rounding = 1e-12 * (points[i].stableNorm() + low.stableNorm() + size);
+    const double rounding = 1e-12 * (points[i].stableNorm() + low.stableNorm() + size) +
+                            std::numeric_limits<double>::min();  // below it numbers lose digits
     require(distances[i] == least ||
             std::abs(distances[i] - least) <= 1e-6 * std::max(size, least) + rounding);
   }
