@@ -2,6 +2,7 @@
 #include <emtr/emtr.h>
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "any_cloud.h"
