@@ -4,15 +4,9 @@
 
 #include "bumpy_pair.h"
 #include "check.h"
+#include "cloud_of.h"
 
 static bumpy_pair pair;
-
-static emtr_cloud cloud_of(const float* points, size_t count) {
-  emtr_cloud cloud = {.scalar = EMTR_FLOAT32};
-  cloud.points = points;
-  cloud.count = count;
-  return cloud;
-}
 
 static void refuse(const emtr_cloud* source, const emtr_cloud* target,
                    const emtr_settings* settings, emtr_status status, const char* word) {

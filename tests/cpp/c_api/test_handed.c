@@ -4,6 +4,7 @@
 
 #include "bumpy_pair.h"
 #include "check.h"
+#include "cloud_of.h"
 
 enum { kCount = 4000, kNumbers = 3 };
 
@@ -31,11 +32,6 @@ static void make(twins* t) {
     for (k = 0; k < kNumbers; ++k) t->features[kNumbers * i + k] = sinf(5 * p[k]) + p[(k + 1) % 3];
   }
   bumpy_pair_free(&pair);
-}
-
-static emtr_cloud cloud_of(const float* points, size_t count) {
-  emtr_cloud cloud = {.points = points, .count = count, .scalar = EMTR_FLOAT32};
-  return cloud;
 }
 
 static double error_of(const emtr_result* result, const twins* t) {

@@ -3,6 +3,7 @@
 
 #include "bumpy_pair.h"
 #include "check.h"
+#include "cloud_of.h"
 
 typedef struct caller {
   int asked;
@@ -25,13 +26,6 @@ static int go_on(const emtr_progress* progress, void* user) {
   (void)progress;
   (void)user;
   return 0;
-}
-
-static emtr_cloud cloud_of(const float* points, size_t count) {
-  emtr_cloud cloud = {.scalar = EMTR_FLOAT32};
-  cloud.points = points;
-  cloud.count = count;
-  return cloud;
 }
 
 /* Each takes far longer than the time between two questions. */

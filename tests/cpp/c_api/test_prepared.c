@@ -4,6 +4,7 @@
 
 #include "bumpy_pair.h"
 #include "check.h"
+#include "cloud_of.h"
 
 static void same(const emtr_result* a, const emtr_result* b) {
   CHECK(memcmp(a->transformation, b->transformation, sizeof a->transformation) == 0);
@@ -13,13 +14,6 @@ static void same(const emtr_result* a, const emtr_result* b) {
   CHECK(a->points_source == b->points_source && a->dropped_source == b->dropped_source);
   CHECK(a->points_target == b->points_target && a->dropped_target == b->dropped_target);
   CHECK(a->scale == b->scale);
-}
-
-static emtr_cloud cloud_of(const float* points, size_t count) {
-  emtr_cloud cloud = {.scalar = EMTR_FLOAT32};
-  cloud.points = points;
-  cloud.count = count;
-  return cloud;
 }
 
 static void one_against_many(void) {

@@ -6,11 +6,7 @@
 
 #include "bumpy_pair.h"
 #include "check.h"
-
-static emtr_cloud cloud_of(const float* points, size_t count) {
-  emtr_cloud cloud = {.points = points, .count = count, .scalar = EMTR_FLOAT32};
-  return cloud;
-}
+#include "cloud_of.h"
 
 static emtr_result* run(const bumpy_pair* pair, const emtr_settings* settings,
                         emtr_progress_fn progress, void* user) {
