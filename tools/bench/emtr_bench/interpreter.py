@@ -30,5 +30,14 @@ def go_on_with(python: Path) -> None:
         os.execv(python, [str(python), *sys.argv])
 
 
+def require(program: str, *modules: str) -> None:
+    """Goes on by a Python that has the modules; where there is none, says so and exits with 2."""
+    try:
+        go_on_with(python_with(*modules))
+    except OSError as failure:
+        print(f"{program}: {failure}", file=sys.stderr)
+        sys.exit(2)
+
+
 def _is_running(python: Path) -> bool:
     return Path(sys.prefix).resolve() == python.parents[1].resolve()
