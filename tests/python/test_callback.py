@@ -260,16 +260,20 @@ def test_ctrl_c(run, callback, tmp_path):
     assert out == "interrupted\n" and child.returncode == 0
 
 
-MANY = np.random.default_rng(0).normal(size=(3_000_000, 3))
 CALLS = {
-    "Cloud": lambda: pyemtr.Cloud(MANY, threads=1),
-    "Problem": lambda: pyemtr.Problem(MANY, MANY, threads=1),
-    "residuals": lambda: pyemtr.residuals(MANY, MANY[:100_000], np.eye(4), threads=1),
+    "Cloud": lambda many: pyemtr.Cloud(many, threads=1),
+    "Problem": lambda many: pyemtr.Problem(many, many, threads=1),
+    "residuals": lambda many: pyemtr.residuals(many, many[:100_000], np.eye(4), threads=1),
 }
 
 
+@pytest.fixture(scope="module")
+def many():
+    return np.random.default_rng(0).normal(size=(3_000_000, 3))
+
+
 @pytest.mark.parametrize("name", CALLS)
-def test_signals_reach_calls_without_a_callback(name):
+def test_signals_reach_calls_without_a_callback(name, many):
     """Those that come after a call are handled once, however many they are."""
     handled = []
 
@@ -282,7 +286,7 @@ def test_signals_reach_calls_without_a_callback(name):
     signal.setitimer(signal.ITIMER_REAL, 0.015, 0.015)
     try:
         with pytest.raises(KeyboardInterrupt):
-            CALLS[name]()
+            CALLS[name](many)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
