@@ -121,6 +121,12 @@ def with_grid(tmp_path, data: str, indices: list[list[int]]) -> bytes:
 
 
 @pytest.mark.parametrize("data", ["ascii", "binary", "big"])
+def test_ply_grid_with_fewer_places_than_vertices(bad, tmp_path, data):
+    places = [[i] for i in range(39)]
+    bad("grid.ply", with_grid(tmp_path, data, places), "lays out .* = 39 points, but it has 40")
+
+
+@pytest.mark.parametrize("data", ["ascii", "binary", "big"])
 @pytest.mark.parametrize("index", [-1, 40, 2**31 - 1])
 def test_ply_grid_of_vertices_that_are_not_there(bad, tmp_path, data, index):
     places = [[i] for i in range(40)] + [[], [index]]

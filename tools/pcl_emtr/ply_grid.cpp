@@ -15,10 +15,12 @@ void check_size(const PlyHeader& header, const std::string& path, std::uint64_t 
   const std::uint64_t places = header.columns.value_or(1) * header.rows.value_or(1);
   const PlyElement* grid = header.find(kGrid);
   const std::uint64_t points = grid && grid->count > 0 ? grid->count : vertices;
-  if (!header.columns || !header.rows || places != points)
-    throw FileFailure(path, "cannot be read: its obj_info lays out num_cols x num_rows = " +
-                                std::to_string(places) + " points, but it has " +
-                                std::to_string(points));
+  const bool complete = header.columns && header.rows;
+  // PCL keeps the vertices in these places before it sorts them into the grid.
+  if (complete && places == points && places >= vertices) return;
+  throw FileFailure(path, "cannot be read: its obj_info lays out num_cols x num_rows = " +
+                              std::to_string(places) + " points, but it has " +
+                              std::to_string(places == points ? vertices : points));
 }
 
 [[noreturn]] void refuse_index(const std::string& path, std::uint64_t row, const std::string& index,
