@@ -74,6 +74,46 @@ def test_taken_from_a_ply_camera(run, found, files, tmp_path):
     assert np.allclose(report["viewpoints"]["source"], T[:3, :3] @ [7, 8, 9] + T[:3, 3], atol=1e-4)
 
 
+CAMERA = {"view_px": 7, "view_py": -8, "view_pz": 9.5} | {
+    f"{i}_axis{j}": float(i == j) for i in "xyz" for j in "xyz"
+}
+
+
+def ply_with_camera(path, points, data, camera, faces=False):
+    """A cloud, perhaps a face, and then a camera of these floats."""
+    cloud_files.write_ply(path, points, data, faces)
+    kind = {"ascii": str, "binary": "<f4", "big": ">f4"}[data]
+    values = np.array(list(camera.values())).astype(kind)
+    header = "element camera 1\n" + "".join(f"property float {name}\n" for name in camera)
+    body = " ".join(values).encode() + b"\n" if data == "ascii" else values.tobytes()
+    path.write_bytes(
+        path.read_bytes().replace(b"end_header", header.encode() + b"end_header", 1) + body
+    )
+
+
+@pytest.mark.parametrize("data", ["ascii", "binary", "big"])
+def test_taken_from_any_ply_camera(found, files, pair, tmp_path, data):
+    files()
+    ply_with_camera(tmp_path / "c.ply", pair.source, data, CAMERA)
+    assert found("c.ply", "b.pcd", *QUICK)["viewpoints"]["source"] == [7, -8, 9.5]
+
+
+@pytest.mark.parametrize("data", ["ascii", "binary"])
+@pytest.mark.parametrize("change", [{"view_pz": np.nan}, {"x_axisx": 3.0}])
+def test_a_camera_that_stands_nowhere(found, files, pair, tmp_path, data, change):
+    files()
+    ply_with_camera(tmp_path / "c.ply", pair.source, data, CAMERA | change)
+    assert found("c.ply", "b.pcd", *QUICK)["viewpoints"]["source"] is None
+
+
+@pytest.mark.parametrize(("data", "place"), [("ascii", [7, -8, 9.5]), ("binary", None)])
+def test_a_camera_behind_faces(found, files, pair, tmp_path, data, place):
+    """Binary faces are as long as they say, each: they are not followed."""
+    files()
+    ply_with_camera(tmp_path / "c.ply", pair.source, data, CAMERA, faces=True)
+    assert found("c.ply", "b.pcd", *QUICK)["viewpoints"]["source"] == place
+
+
 def test_they_act(found, files, pair):
     """Above the relief both sensors see all of it; by the file and given they are the same."""
     above = pair.T[:3, :3] @ ABOVE + pair.T[:3, 3]
