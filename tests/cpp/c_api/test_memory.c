@@ -5,6 +5,7 @@
 
 #include "bumpy_pair.h"
 #include "check.h"
+#include "cloud_of.h"
 
 static bumpy_pair pair;
 
@@ -24,8 +25,8 @@ static void limit(rlim_t most) {
 }
 
 static void under_limits(const char* preset, int threads) {
-  const emtr_cloud source = {.points = pair.source, .count = pair.count, .scalar = EMTR_FLOAT32};
-  const emtr_cloud target = {.points = pair.target, .count = pair.count, .scalar = EMTR_FLOAT32};
+  const emtr_cloud source = cloud_of(pair.source, pair.count);
+  const emtr_cloud target = cloud_of(pair.target, pair.count);
   const rlim_t before = used();
   emtr_settings settings;
   emtr_result* result = NULL;

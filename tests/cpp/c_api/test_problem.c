@@ -5,6 +5,7 @@
 
 #include "bumpy_pair.h"
 #include "check.h"
+#include "cloud_of.h"
 
 static const char* rows_of(const emtr_problem* problem, emtr_array which, size_t columns,
                            size_t* rows) {
@@ -91,15 +92,14 @@ static void wrong_calls(emtr_problem* problem) {
 
 int main(void) {
   bumpy_pair pair;
-  emtr_cloud source = {.scalar = EMTR_FLOAT32}, target = {.scalar = EMTR_FLOAT32};
+  emtr_cloud source, target;
   emtr_problem* problem = NULL;
   emtr_problem_info info;
   emtr_result *at_once = NULL, *solved = NULL;
   size_t i;
   if (bumpy_pair_make(&pair, 2, 4000, 1.0)) return 1;
-  source.points = pair.source;
-  target.points = pair.target;
-  source.count = target.count = pair.count;
+  source = cloud_of(pair.source, pair.count);
+  target = cloud_of(pair.target, pair.count);
   CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &at_once));
   CHECK_OK(emtr_problem_create(&source, &target, NULL, &problem));
   if (!problem || !at_once) return 1;

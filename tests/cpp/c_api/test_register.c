@@ -287,8 +287,8 @@ static void seed_threads_guess(const bumpy_pair* pair, const emtr_result* whole)
 }
 
 static void residuals(const bumpy_pair* pair, const emtr_result* result) {
-  const emtr_cloud source = {.points = pair->source, .count = pair->count, .scalar = EMTR_FLOAT32};
-  const emtr_cloud target = {.points = pair->target, .count = pair->count, .scalar = EMTR_FLOAT32};
+  const emtr_cloud source = cloud_of(pair->source, pair->count);
+  const emtr_cloud target = cloud_of(pair->target, pair->count);
   const double scaling[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
   double *here = malloc(pair->count * sizeof *here), *back = malloc(pair->count * sizeof *back);
   size_t i, near = 0;
