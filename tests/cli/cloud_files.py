@@ -114,6 +114,11 @@ def write_ply(path: Path, points: np.ndarray, data: str = "binary", faces: bool 
     return path
 
 
+def with_element(ply: bytes, header: str, rows: bytes) -> bytes:
+    """A PLY file with one more element behind the others."""
+    return ply.replace(b"end_header\n", header.encode() + b"end_header\n", 1) + rows
+
+
 def write_obj(path: Path, points: np.ndarray, normals: np.ndarray | None = None) -> Path:
     text = "# written by a test\n"
     text += "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in points.tolist())

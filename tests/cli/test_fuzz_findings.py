@@ -117,7 +117,7 @@ def with_grid(tmp_path, data: str, indices: list[list[int]]) -> bytes:
     else:
         order = ">" if data == "big" else "<"
         rows = b"".join(struct.pack(f"{order}B{len(row)}i", len(row), *row) for row in indices)
-    return header + grid.encode() + b"end_header\n" + body + rows
+    return cloud_files.with_element(header + b"end_header\n" + body, grid, rows)
 
 
 @pytest.mark.parametrize("data", ["ascii", "binary", "big"])

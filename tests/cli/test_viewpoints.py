@@ -86,9 +86,7 @@ def ply_with_camera(path, points, data, camera, faces=False):
     values = np.array(list(camera.values())).astype(kind)
     header = "element camera 1\n" + "".join(f"property float {name}\n" for name in camera)
     body = " ".join(values).encode() + b"\n" if data == "ascii" else values.tobytes()
-    path.write_bytes(
-        path.read_bytes().replace(b"end_header", header.encode() + b"end_header", 1) + body
-    )
+    path.write_bytes(cloud_files.with_element(path.read_bytes(), header, body))
 
 
 @pytest.mark.parametrize("data", ["ascii", "binary", "big"])
