@@ -1,6 +1,7 @@
 """The environment of the other libraries: what is installed anew, and when."""
 
 import sys
+from pathlib import Path
 
 import pytest
 from emtr_bench.peers import environment
@@ -28,7 +29,7 @@ def ran(monkeypatch):
             next(w for w in ("venv", "--requirement", "--force-reinstall") if w in command)
         )
         if steps[-1] == "venv":
-            python = environment.Path(command[-1]) / "bin" / "python"
+            python = Path(command[-1]) / "bin" / "python"
             python.parent.mkdir(parents=True)
             python.touch()
 

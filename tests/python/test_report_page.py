@@ -1,21 +1,16 @@
 """BENCHMARK.md: its parts, what is kept of a run, and the page made of it."""
 
-import argparse
 import dataclasses
 import json
-import math
 from pathlib import Path
 
 import accuracy_fakes
-import pytest
 from accuracy_fakes import FakeEngine
 from emtr_bench import accuracy, pairs, records
 from emtr_bench.calibration.figures import calibration
 from emtr_bench.calibration.judged import Judged
-from emtr_bench.document import arguments, program, running
 from emtr_bench.document.page import page
 from emtr_bench.document.parts import NAMES, Part, all_parts
-from emtr_bench.locations import REPOSITORY
 from emtr_bench.peers import output, runs
 from peers_fakes import FakeMethod
 
@@ -155,104 +150,3 @@ def test_another_machine_or_a_failure_is_told(tmp_path):
     keep(other, {"toolchain": {}, "programs": {}}, cpu="another", date="tomorrow")
     text = text_of([*parts, other], tmp_path)
     assert "not all measured" in text and "| cpu | a fine one |" in text
-
-
-def script(folder, name, body):
-    path = folder / name
-    path.write_text(f"#!/bin/sh\n{body}\n")
-    path.chmod(0o755)
-    return path
-
-
-def test_a_part_that_wrote_nothing_loses_its_old_figures(tmp_path):
-    path = tmp_path / "x.json"
-    good = script(tmp_path, "good", f"echo '{{}}' > {path}; exit 1")
-    bad = script(tmp_path, "bad", "exit 3")
-    part = Part("x", "regress", (str(good),), path)
-    assert running.run(part) == "" and running.kept(part).status == 1
-    assert running.kept(part).machine["cpu"]
-    failure = running.run(Part("x", "regress", (str(bad), "--now"), path))
-    assert failure == f"{bad} --now: ended with 3 and wrote no {path}"
-    assert running.kept(part) is None and not path.exists()
-
-
-@pytest.mark.parametrize(
-    ("only", "ran"), [(None, list(NAMES)), (["regress"], ["regress"]), ([], [])]
-)
-def test_only_what_is_asked_for_is_run(tmp_path, monkeypatch, only, ran):
-    seen = []
-    monkeypatch.setattr(program, "_run", lambda part: seen.append(part.section) or "")
-    asked = argparse.Namespace(only=only, smoke=True)
-    out = tmp_path / "BENCHMARK.md"
-    assert program.make(tmp_path, tmp_path, out, ["paper"], asked) == 0
-    there = [name for name in ran if (REPOSITORY / "tools" / "bench" / name).exists()]
-    assert seen == there and out.read_text().startswith("# Benchmarks")
-    assert not list(tmp_path.glob("*.part"))
-
-
-@pytest.fixture
-def report(tmp_path, monkeypatch):
-    """The command, in a repository without any benchmark."""
-    monkeypatch.setattr(program, "REPOSITORY", tmp_path)
-    monkeypatch.setattr(running, "REPOSITORY", tmp_path)
-    return lambda *words: program.report(arguments.parser().parse_args(words))
-
-
-def test_the_page_alone(report, tmp_path):
-    assert report("--only", "--presets", "paper") == 0
-    assert (tmp_path / "BENCHMARK.md").read_text().startswith("# Benchmarks")
-
-
-@pytest.mark.parametrize(("smoke", "status"), [((), 1), (("--smoke",), 0)])
-def test_a_benchmark_that_is_not_there(report, tmp_path, capsys, smoke, status):
-    assert report("--only", "regress", "--out", str(tmp_path / "page.md"), *smoke) == status
-    assert "left out: there is no tools/bench/regress" in capsys.readouterr().out
-    assert "Not measured" in (tmp_path / "page.md").read_text()
-    assert not (tmp_path / "BENCHMARK.md").exists()
-
-
-@pytest.mark.parametrize(
-    "code",
-    ["exit 3", """echo '{"toolchain": {}, "programs": {}}' >build/bench/regress.json; exit 1"""],
-)
-def test_a_benchmark_that_fails(report, tmp_path, capsys, code):
-    (tmp_path / "tools" / "bench").mkdir(parents=True)
-    script(tmp_path / "tools" / "bench", "regress", code)
-    assert report("--only", "regress") == 1
-    assert "report: tools/bench/regress --json" in capsys.readouterr().err
-
-
-def test_a_preset_that_there_is_not(report, tmp_path, capsys):
-    assert report("--presets", "paper", "better") == 2
-    assert "report: --presets better: no such preset" in capsys.readouterr().err
-    assert not list(tmp_path.iterdir())
-
-
-def test_stages_alternate_and_tell_whether_the_bits_agree(monkeypatch):
-    import numpy as np
-    from emtr_bench.stages import measure
-
-    class Result:
-        def __init__(self, seconds, x):
-            self.timings = {"evolution": seconds}
-            self.transformation = np.full((4, 4), x)
-
-    seen = []
-
-    def register(source, target, *, preset, threads, neighbors="grid"):
-        seen.append(neighbors)
-        slow = neighbors == "kdtree"
-        return Result(2.0 * len(seen) if slow else 0.5, 1.0 + (1e-16 if slow else 0.0) + off)
-
-    monkeypatch.setattr(measure.pyemtr, "register", register)
-    off = 0.0
-    found = measure.compare_structures(None, None, "paper", 2, 3)
-    assert seen == ["grid", "kdtree"] * 3 and found["same_bits"]
-    assert found["ratio"] == 16.0 and found["evolution"]["grid"]["median"] == 0.5
-    seen.clear()
-    pose_values = {"grid": 1.0, "kdtree": math.nextafter(1.0, 2.0)}
-    monkeypatch.setattr(
-        measure.pyemtr, "register",
-        lambda *a, neighbors, **k: Result(1.0, pose_values[neighbors]),
-    )  # fmt: skip
-    assert not measure.compare_structures(None, None, "paper", 2, 1)["same_bits"]
