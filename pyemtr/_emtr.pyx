@@ -37,9 +37,9 @@ def kernel_name():
 
 
 def register(source, target, Settings settings not None, callback):
-    """emtr_register_kept: two CloudBuffers, the fields of a result as a dict.
+    """emtr_register_cached: two CloudBuffers, the fields of a result as a dict.
 
-    Either may be a Prepared.
+    Either may be a Preprocessed.
     """
     cdef CloudBuffer a
     cdef CloudBuffer b
@@ -48,23 +48,23 @@ def register(source, target, Settings settings not None, callback):
     cdef emtr_result* result = NULL
     cdef emtr_status status
     cdef void* user = <void*>watch
-    cdef emtr_prepared* kept_a = NULL
-    cdef emtr_prepared* kept_b = NULL
+    cdef emtr_preprocessed* kept_a = NULL
+    cdef emtr_preprocessed* kept_b = NULL
     cdef const emtr_cloud* from_ = NULL
     cdef const emtr_cloud* to = NULL
-    if isinstance(source, Prepared):
-        kept_a = (<Prepared>source).prepared
+    if isinstance(source, Preprocessed):
+        kept_a = (<Preprocessed>source).prepared
     else:
         a = source
         from_ = &a.cloud
-    if isinstance(target, Prepared):
-        kept_b = (<Prepared>target).prepared
+    if isinstance(target, Preprocessed):
+        kept_b = (<Preprocessed>target).prepared
     else:
         b = target
         to = &b.cloud
     # What is not prepared yet is no use to anyone afterwards.
-    cdef emtr_prepared** keep_a = NULL if kept_a == NULL else &kept_a
-    cdef emtr_prepared** keep_b = NULL if kept_b == NULL else &kept_b
+    cdef emtr_preprocessed** keep_a = NULL if kept_a == NULL else &kept_a
+    cdef emtr_preprocessed** keep_b = NULL if kept_b == NULL else &kept_b
     with nogil:
-        status = emtr_register_kept(from_, keep_a, to, keep_b, chosen, on_progress, user, &result)
+        status = emtr_register_cached(from_, keep_a, to, keep_b, chosen, on_progress, user, &result)
     return finish(status, watch, result)

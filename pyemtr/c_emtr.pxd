@@ -103,17 +103,17 @@ cdef extern from "emtr/emtr.h" nogil:
         double transformation[16]
         int32_t registered
         emtr_reason reason
-        double fitness, inlier_ratio_source, inlier_ratio_target, mode_gap
+        double fitness, inlier_ratio_source, inlier_ratio_target, fitness_gap
         double overlap_source, overlap_target, inlier_rmse, inlier_rmse_plane
         size_t points_source, points_target, dropped_source, dropped_target
         size_t sparse_source, sparse_target, dense_source, dense_target
         size_t correspondences, correspondences_found, tims, tims_pruned
-        uint64_t lookups_evaluation, lookups_switch, lookups_complement
+        uint64_t queries_evaluation, queries_switch, queries_complement
         double scale
         double center_source[3]
         double center_target[3]
         double leaf_sparse, leaf_dense, leaf_fine
-        double seconds_frame, seconds_densities, seconds_features, seconds_matching
+        double seconds_normalization, seconds_downsampling, seconds_features, seconds_matching
         double seconds_evolution, seconds_verdict, seconds_total
         size_t iterations
         const double* history_alpha
@@ -123,14 +123,14 @@ cdef extern from "emtr/emtr.h" nogil:
         const char* kernel
         double confidence, score, fit, violation, score_gap
         size_t seeds, candidates
-        int32_t escalated, refined
+        int32_t used_fallback_search, refined
         size_t alternative_count
         const emtr_alternative* alternatives
         double information[36]
         double hold[6]
-        double hold_directions[36]
-        int32_t free_directions
-        double seconds_seeds, seconds_candidates, seconds_escalation, seconds_refinement
+        double hessian_eigenvectors[36]
+        int32_t unconstrained_directions
+        double seconds_seeds, seconds_candidates, seconds_fallback_search, seconds_refinement
 
     void emtr_result_free(emtr_result* result)
 
@@ -138,24 +138,24 @@ cdef extern from "emtr/emtr.h" nogil:
                                const double* transformation, int32_t threads,
                                double* of_source, double* of_target)
 
-    ctypedef struct emtr_prepared:
+    ctypedef struct emtr_preprocessed:
         pass
 
-    emtr_status emtr_prepare(const emtr_cloud* cloud, const char* name, int32_t threads,
-                             emtr_prepared** prepared)
-    void emtr_prepared_free(emtr_prepared* prepared)
+    emtr_status emtr_preprocess(const emtr_cloud* cloud, const char* name, int32_t threads,
+                             emtr_preprocessed** prepared)
+    void emtr_preprocessed_free(emtr_preprocessed* prepared)
 
-    ctypedef struct emtr_prepared_info:
+    ctypedef struct emtr_preprocessed_info:
         size_t points, dropped, kept
         double center[3]
         double radius
         int32_t normals
         size_t described, feature_dimension
 
-    emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
+    emtr_status emtr_preprocessed_describe(const emtr_preprocessed* prepared, emtr_preprocessed_info* info,
                                        size_t size)
-    emtr_status emtr_register_kept(const emtr_cloud* source, emtr_prepared** kept_source,
-                                   const emtr_cloud* target, emtr_prepared** kept_target,
+    emtr_status emtr_register_cached(const emtr_cloud* source, emtr_preprocessed** cached_source,
+                                   const emtr_cloud* target, emtr_preprocessed** cached_target,
                                    const emtr_settings* settings, emtr_progress_fn progress,
                                    void* user, emtr_result** result)
 
@@ -164,8 +164,8 @@ cdef extern from "emtr/emtr.h" nogil:
 
     emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
                                     const emtr_settings* settings, emtr_problem** problem)
-    emtr_status emtr_problem_create_prepared(const emtr_prepared* source,
-                                             const emtr_prepared* target,
+    emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* source,
+                                             const emtr_preprocessed* target,
                                              const emtr_settings* settings,
                                              emtr_problem** problem)
     void emtr_problem_free(emtr_problem* problem)
@@ -185,7 +185,7 @@ cdef extern from "emtr/emtr.h" nogil:
                                                 const double* particle, double* transformation)
     emtr_status emtr_transformation_to_particle(const emtr_problem* problem,
                                                 const double* transformation, double* particle)
-    uint64_t emtr_problem_lookups(const emtr_problem* problem)
+    uint64_t emtr_problem_queries(const emtr_problem* problem)
 
     ctypedef struct emtr_problem_info:
         double scale

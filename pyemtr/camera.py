@@ -54,7 +54,7 @@ class Camera:
 def best_view(points: Floats, up: Floats, gap: float) -> Camera:
     """The view from slightly above that hides the fewest points, from outside the shell.
 
-    ``gap`` is the usual distance between neighbours among points (N, 3).
+    ``gap`` is the usual distance between neighbors among points (N, 3).
     """
     up = up / np.linalg.norm(up)
     flat = np.cross(up, np.roll(up, 1) + [0.1, 0.2, 0.3])

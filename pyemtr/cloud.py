@@ -45,7 +45,7 @@ class Cloud:
         keep_points: bool = False,
         threads: int = 0,
     ) -> None:
-        self._raw = _emtr.Prepared(
+        self._raw = _emtr.Preprocessed(
             _buffer(points, "points", normals, "normals", features, "features", keep_points),
             "",
             thread_setting(threads),
@@ -94,7 +94,7 @@ class Cloud:
 
 def as_cloud(
     cloud: Any, name: str, normals: Any = None, features: Any = None, keep_points: bool = False
-) -> _emtr.CloudBuffer | _emtr.Prepared:
+) -> _emtr.CloudBuffer | _emtr.Preprocessed:
     """What the C library reads: a prepared cloud, or points as :func:`as_points` makes them, with
     what belongs to them."""
     if not isinstance(cloud, Cloud):

@@ -33,7 +33,7 @@ def draw_points(
 ) -> None:
     """Fills ``ax`` with points (N, 3) in colours (N, 3), the nearest on top, equal scales.
 
-    ``gap``, the usual distance between neighbours, decides how large the points are drawn.
+    ``gap``, the usual distance between neighbors, decides how large the points are drawn.
     """
     seen = points @ camera.axes.T
     low, high = seen[:, :2].min(axis=0), seen[:, :2].max(axis=0)

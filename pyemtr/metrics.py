@@ -22,7 +22,7 @@ __all__ = [
 #: Degrees; the paper calls a registration successful below this rotation error.
 MAX_ROTATION_ERROR = 5.0
 
-#: Normalised frame. The rotation alone says nothing of slides along planes.
+#: Normalized frame. The rotation alone says nothing of slides along planes.
 MAX_TRANSLATION_ERROR = 0.06
 
 # float32 matrices (PCL's default) are orthonormal to about 1e-6.
@@ -55,7 +55,7 @@ def rotation_error(T_est: ArrayLike, T_true: ArrayLike) -> float:
 def translation_error(
     T_est: ArrayLike, T_true: ArrayLike, center: ArrayLike, scale: float
 ) -> float:
-    """Displacement of the source's centroid in the normalised frame, without a unit.
+    """Displacement of the source's centroid in the normalized frame, without a unit.
 
     This is ``|T_est c - T_true c| / scale``, the same as the paper's ``|t_true - t_est|``
     once both clouds are centred and scaled; unlike the raw difference of the translations,
@@ -68,7 +68,7 @@ def translation_error(
     center : array_like, shape (3,)
         Centroid of the source cloud, in the source's coordinates.
     scale : float
-        Length of one unit of the normalised frame, in the user's unit; positive.
+        Length of one unit of the normalized frame, in the user's unit; positive.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def joint_success(
     """Whether rotation and translation are both right.
 
     True when ``rotation_error < max_rotation`` (degrees) and ``translation_error <
-    max_translation`` (normalised frame). Arguments and errors are those of the two functions.
+    max_translation`` (normalized frame). Arguments and errors are those of the two functions.
     """
     return (
         rotation_error(T_est, T_true) < max_rotation

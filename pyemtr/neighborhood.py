@@ -19,7 +19,7 @@ def neighbor_tree(points: Floats) -> Any:
 
 
 def surface_normals(points: Floats) -> Floats:
-    """Unit normals (N, 3) of the planes through each point's neighbours, of either sign."""
+    """Unit normals (N, 3) of the planes through each point's neighbors, of either sign."""
     count = min(_NEIGHBORS, len(points))
     _, neighbors = neighbor_tree(points).query(points, k=[i + 1 for i in range(count)])
     patches = points[neighbors]
@@ -29,7 +29,7 @@ def surface_normals(points: Floats) -> Floats:
 
 
 def spacing(points: Floats) -> float:
-    """Median distance of a point (N, 3) to its nearest neighbour; 0 for a single point."""
+    """Median distance of a point (N, 3) to its nearest neighbor; 0 for a single point."""
     if len(points) < 2:
         return 0.0
     some = points[:: max(1, len(points) // 20000)]

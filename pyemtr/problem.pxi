@@ -21,20 +21,20 @@ cdef class Problem:
     def __init__(self, source, target, Settings settings not None):
         cdef CloudBuffer a
         cdef CloudBuffer b
-        cdef Prepared c
-        cdef Prepared d
+        cdef Preprocessed c
+        cdef Preprocessed d
         cdef emtr_settings* chosen = &settings.values
         cdef emtr_problem* made = NULL
         cdef emtr_status status
         cdef Interrupt interrupt = Interrupt()
         if self.problem != NULL:
             raise RuntimeError("a problem is made once")
-        if isinstance(source, Prepared) or isinstance(target, Prepared):
+        if isinstance(source, Preprocessed) or isinstance(target, Preprocessed):
             c = prepared(source, "source", settings)
             d = prepared(target, "target", settings)
             interrupt.begin()
             with nogil:
-                status = emtr_problem_create_prepared(c.prepared, d.prepared, chosen, &made)
+                status = emtr_problem_create_preprocessed(c.prepared, d.prepared, chosen, &made)
         else:
             a, b = source, target
             interrupt.begin()
@@ -112,8 +112,8 @@ cdef class Problem:
         check(emtr_transformation_to_particle(self.problem, &transformation[0], particle))
         return listed(particle, 6)
 
-    def lookups(self):
-        return emtr_problem_lookups(self.problem)
+    def queries(self):
+        return emtr_problem_queries(self.problem)
 
     def describe(self):
         cdef emtr_problem_info info

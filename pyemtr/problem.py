@@ -20,11 +20,11 @@ from .views import ProblemViews
 
 
 class Problem(ProblemViews):
-    """Two clouds normalised, thinned, described and matched.
+    """Two clouds normalized, thinned, described and matched.
 
     Particles of task alpha are (theta1, theta2, theta3, tx, ty, tz), of task beta (theta1,
     theta2, theta3): radians, R = Rz(theta1) Ry(theta2) Rx(theta3), any real angle; t in the
-    normalised frame, p' = (p - center) / scale. All threads may share one Problem: they wait
+    normalized frame, p' = (p - center) / scale. All threads may share one Problem: they wait
     for each other.
 
     Args and errors are those of :func:`pyemtr.register`.
@@ -81,7 +81,7 @@ class Problem(ProblemViews):
     def evaluate_alpha(self, particles: Any, stage: str = "dense") -> Floats:
         """Fitness of task alpha, lower is better: (P, 6) to float64 (P,).
 
-        ``stage`` is "sparse" or "dense". Each look-up is counted in ``lookups``.
+        ``stage`` is "sparse" or "dense". Each look-up is counted in ``queries``.
         Raises TypeError or ValueError for other shapes, types, or numbers that are not finite.
         """
         if stage not in ("sparse", "dense"):
@@ -101,7 +101,7 @@ class Problem(ProblemViews):
         return fitness
 
     def complement(self, angles: Any) -> Floats:
-        """Algorithm 2: angles (3,) to the translation (3,), normalised, that completes them.
+        """Algorithm 2: angles (3,) to the translation (3,), normalized, that completes them.
 
         With priors it completes the nearest rotation that they admit, to a pose that they admit.
         """
@@ -120,12 +120,12 @@ class Problem(ProblemViews):
         return np.array(self._raw.to_particle(matrix.reshape(16)), dtype=np.float64)
 
     @property
-    def lookups(self) -> int:
+    def queries(self) -> int:
         """Look-ups of ``evaluate_alpha`` and ``complement`` on this problem so far."""
         if self._holder == threading.get_ident():  # asked from a callback, between iterations
-            return self._raw.lookups()
+            return self._raw.queries()
         with self._alone():
-            return self._raw.lookups()
+            return self._raw.queries()
 
     @contextmanager
     def _alone(self) -> Iterator[None]:

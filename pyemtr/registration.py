@@ -64,7 +64,7 @@ def register(
             that they point to counts. What an object has in ``.normals`` is not used by itself.
         target_normals: (M, 3), likewise of the target.
         source_features: (N, D), descriptors of the source's points, computed elsewhere: the mutual
-            nearest neighbours by Euclidean distance are matched, instead of those by FPFH. NaN
+            nearest neighbors by Euclidean distance are matched, instead of those by FPFH. NaN
             where a point has none. Used as float32; both clouds or none, of one D.
         target_features: (M, D), likewise of the target.
         correspondences: (K, 2) of whole numbers, rows of source and target held to be the same

@@ -27,9 +27,9 @@ class Result:
             "degenerate" or "time_limit".
         reason_text: the reason in a few words.
         fitness: mean M-estimator over both dense clouds, 0 (best) to 1.
-        inlier_ratio_source, inlier_ratio_target: share of dense points with a neighbour in the
+        inlier_ratio_source, inlier_ratio_target: share of dense points with a neighbor in the
             other cloud.
-        mode_gap: fitness of the best clearly different pose minus this pose's.
+        fitness_gap: fitness of the best clearly different pose minus this pose's.
         overlap_source, overlap_target: share of the cloud's points that have a partner, the
             nearest point of the other's fine cloud, within ``leaf_fine``; asked are up to 5000
             of them. NaN when interrupted, as the two below.
@@ -43,9 +43,9 @@ class Result:
             and how many there were.
         tims, tims_pruned: pairs of them, max_tims at most, and how many of these can be an inlier
             of no rotation.
-        lookups: nearest neighbour look-ups ("evaluation", "switch", "complement").
-        scale, center_source, center_target: the normalised frame, p' = (p - center) / scale.
-        leaf_sparse, leaf_dense, leaf_fine: edge of the thinning voxels, normalised frame.
+        queries: nearest neighbor look-ups ("evaluation", "switch", "complement").
+        scale, center_source, center_target: the normalized frame, p' = (p - center) / scale.
+        leaf_sparse, leaf_dense, leaf_fine: edge of the thinning voxels, normalized frame.
         timings: wall seconds by stage, 0 for one that did not run, and "total".
         iterations: done.
         history: best fitness so far after each iteration, float64 (iterations,), of the tasks
@@ -60,7 +60,7 @@ class Result:
         violation: share of points in front of what the other scan saw, 0 (best) to 1.
         score_gap: score minus that of the best clearly different candidate.
         seeds: poses that consistent matches gave; candidates: distinct poses ranked.
-        escalated: True when it was searched again with more feature points; refined: True when
+        used_fallback_search: True when it was searched again with more feature points; refined: True when
             the answer was polished on fine clouds.
         alternatives: of :class:`pyemtr.Alternative`, best first, at most 10.
         information: float64 (6, 6), inverse of the pose's covariance for a small rotation w
@@ -68,9 +68,9 @@ class Result:
             q = exp(w) (R p + t - c) + c + v. NaN when not refined, as the two below.
         hold: float64 (6,), how firmly the matched surfaces hold the pose, ascending: 0 for a
             motion that slides them along themselves, to about 1.
-        hold_directions: float64 (6, 6), a unit vector a row, by rows of ``hold``: rotation,
+        hessian_eigenvectors: float64 (6, 6), a unit vector a row, by rows of ``hold``: rotation,
             measured as the way at the surfaces' radius, then shift.
-        free_directions: how many are not held; None when not refined.
+        unconstrained_directions: how many are not held; None when not refined.
         settings: every setting, as keyword arguments that repeat the run:
             ``register(source, target, **result.settings)``.
     """
@@ -82,7 +82,7 @@ class Result:
     fitness: float
     inlier_ratio_source: float
     inlier_ratio_target: float
-    mode_gap: float
+    fitness_gap: float
     overlap_source: float
     overlap_target: float
     inlier_rmse: float
@@ -99,7 +99,7 @@ class Result:
     correspondences_found: int
     tims: int
     tims_pruned: int
-    lookups: dict[str, int]
+    queries: dict[str, int]
     scale: float
     center_source: Floats
     center_target: Floats
@@ -119,13 +119,13 @@ class Result:
     score_gap: float
     seeds: int
     candidates: int
-    escalated: bool
+    used_fallback_search: bool
     refined: bool
     alternatives: list[Alternative]
     information: Floats
     hold: Floats
-    hold_directions: Floats
-    free_directions: int | None
+    hessian_eigenvectors: Floats
+    unconstrained_directions: int | None
     settings: dict[str, Any]
 
     def apply(self, points: Any) -> Floats:
@@ -157,7 +157,7 @@ class Result:
         rows = np.array2string(self.transformation, precision=6, suppress_small=True, prefix="    ")
         return (
             f"<pyemtr.Result: {verdict}{self._confidence_text()}\n"
-            f"  fitness {self.fitness:.4f}, mode gap {self.mode_gap:.4f}\n"
+            f"  fitness {self.fitness:.4f}, mode gap {self.fitness_gap:.4f}\n"
             f"  overlap {self.overlap_source:.1%} of the source,"
             f" {self.overlap_target:.1%} of the target; rmse {self.inlier_rmse:.4g} to points,"
             f" {self.inlier_rmse_plane:.4g} to planes\n"
@@ -183,7 +183,7 @@ def make_result(raw: Mapping[str, Any], settings: dict[str, Any]) -> Result:
     ]
     values["information"] = _matrix(raw["information"], 6)
     values["hold"] = _vector(raw["hold"])
-    values["hold_directions"] = _matrix(raw["hold_directions"], 6)
+    values["hessian_eigenvectors"] = _matrix(raw["hessian_eigenvectors"], 6)
     values["history"] = {task: _vector(best) for task, best in raw["history"].items()}
     return Result(settings=settings, **values)
 

@@ -16,7 +16,7 @@ Singles = NDArray[np.float32]
 class ProblemViews(ABC):
     """Figures, and arrays that are read-only views: they keep the problem's memory alive.
 
-    All lengths but ``scale`` and the centres are in the normalised frame.
+    All lengths but ``scale`` and the centres are in the normalized frame.
     """
 
     @abstractmethod

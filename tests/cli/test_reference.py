@@ -8,7 +8,7 @@ import pytest
 
 
 def outcome(run, tmp_path, *arguments) -> dict:
-    """What must not depend on who looks the neighbours up."""
+    """What must not depend on who looks the neighbors up."""
     done = run("a.pcd", "b.pcd", *arguments, "--report", "r.json")
     assert done.returncode in (0, 3), done.stderr
     report = json.loads((tmp_path / "r.json").read_text())
@@ -18,7 +18,7 @@ def outcome(run, tmp_path, *arguments) -> dict:
         "paths": (settings["neighbors"], settings["features"]),
         **{
             name: report[name]
-            for name in ("transformation", "history", "lookups", "quality", "confidence", "counts")
+            for name in ("transformation", "history", "queries", "quality", "confidence", "counts")
         },
     }
 
@@ -27,7 +27,7 @@ def test_the_same_bits_by_every_path_of_the_paper(run, clouds, tmp_path):
     paper = ["--preset", "paper", "--dense-points", "1500", "--iterations", "20"]
     plain = outcome(run, tmp_path, *paper)
     assert plain.pop("paths") == ("grid", "pcl")
-    assert plain["lookups"]["evaluation"] > 0 and plain["lookups"]["complement"] > 0
+    assert plain["queries"]["evaluation"] > 0 and plain["queries"]["complement"] > 0
     for arguments, paths in (
         (["--reference"], ("kdtree", "pcl")),
         (["--neighbors", "brute"], ("brute", "pcl")),

@@ -26,7 +26,7 @@ def test_says_what_was_run(report, run):
         "guess": None,
         "correspondences": None,
     }
-    assert report["handed_in"] == {"normals": False, "features": None, "correspondences": 0}
+    assert report["user_provided"] == {"normals": False, "features": None, "correspondences": 0}
     assert (report["preset"], report["seed"], report["threads"]) == ("default", 3, 2)
     versions = report["versions"]
     assert run("--version").stdout == (
@@ -42,7 +42,7 @@ def test_says_what_came_out(report, tmp_path, pair):
         "fitness",
         "inlier_ratio_source",
         "inlier_ratio_target",
-        "mode_gap",
+        "fitness_gap",
         "overlap_source",
         "overlap_target",
         "inlier_rmse",
@@ -67,7 +67,7 @@ def test_says_what_came_out(report, tmp_path, pair):
 
 def test_says_how_far_to_trust_it(report, pair):
     assert 0.9 < report["confidence"] <= 1
-    assert report["escalated"] in (True, False) and report["refined"] is True
+    assert report["used_fallback_search"] in (True, False) and report["refined"] is True
     scores = [other["score"] for other in report["alternatives"]]
     assert scores == sorted(scores, reverse=True)
     assert all(score <= report["quality"]["score"] for score in scores)
@@ -78,9 +78,9 @@ def test_says_how_far_to_trust_it(report, pair):
     information = np.array(refinement["information"])
     assert information.shape == (6, 6) and np.allclose(information, information.T)
     assert np.linalg.eigvalsh(information).min() > 0
-    directions = np.array(refinement["hold_directions"])
+    directions = np.array(refinement["hessian_eigenvectors"])
     assert np.allclose(np.linalg.norm(directions, axis=1), 1)
-    assert refinement["hold"] == sorted(refinement["hold"]) and refinement["free_directions"] == 0
+    assert refinement["hold"] == sorted(refinement["hold"]) and refinement["unconstrained_directions"] == 0
 
 
 def test_paper_has_no_candidates(run, clouds, tmp_path):
@@ -88,7 +88,7 @@ def test_paper_has_no_candidates(run, clouds, tmp_path):
     report = json.loads((tmp_path / "r.json").read_text())
     assert report["registered"] is True and report["preset"] == "paper"
     assert report["confidence"] is None and report["refinement"] is None
-    assert report["alternatives"] == [] and report["refined"] is report["escalated"] is False
+    assert report["alternatives"] == [] and report["refined"] is report["used_fallback_search"] is False
     assert [report["quality"][name] for name in ("score", "fit", "violation", "score_gap")] == (
         [None] * 4
     )
@@ -110,12 +110,12 @@ STAGES = (
 
 
 def test_times_and_costs_add_up(report):
-    lookups = report["lookups"]
-    assert lookups["total"] == lookups["evaluation"] + lookups["switch"] + lookups["complement"] > 0
+    queries = report["queries"]
+    assert queries["total"] == queries["evaluation"] + queries["switch"] + queries["complement"] > 0
     seconds = report["seconds"]
     stages = [seconds[name] for name in STAGES]
     assert min(stages) >= 0 and sum(stages) == pytest.approx(seconds["total"])
-    assert (seconds["escalation"] > 0) == report["escalated"]
+    assert (seconds["escalation"] > 0) == report["used_fallback_search"]
     assert seconds["load_source"] > 0 and seconds["load_target"] > 0
     assert report["frame"]["scale"] > 0 and len(report["frame"]["center_source"]) == 3
 

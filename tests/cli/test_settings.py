@@ -42,7 +42,7 @@ def entries(command) -> dict[str, tuple[str, str]]:
 
 
 def test_the_header_was_understood():
-    assert len(NAMES) > 40 and {"seed", "refine", "minimum_mode_gap"} <= set(NAMES)
+    assert len(NAMES) > 40 and {"seed", "refine", "minimum_fitness_gap"} <= set(NAMES)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -114,7 +114,7 @@ def test_seed_keeps_all_its_bits(run, small, tmp_path, seed):
     assert report["seed"] == report["settings"]["seed"] == seed
 
 
-def test_neighbouring_large_seeds_differ(run, clouds):
+def test_neighboring_large_seeds_differ(run, clouds):
     """As doubles they would be one number."""
     few = ["--preset", "paper", "--iterations", "5"]
     found = {run(*clouds, *few, "--seed", 2**60 + i).stdout for i in range(3)}

@@ -53,7 +53,7 @@ def test_a_ball_can_spin(run, tmp_path):
     report = json.loads((tmp_path / "r.json").read_text())
     assert report["reason"] in ("degenerate", "ambiguous")
     assert f"warning: not registered: {report['reason_text']}" in done.stderr
-    assert report["refinement"]["free_directions"] == 3
+    assert report["refinement"]["unconstrained_directions"] == 3
     assert report["alternatives"]
 
 

@@ -1,4 +1,4 @@
-"""The tests here share what tools/bits compares by."""
+"""The tests here share what tools/reproducibility compares by."""
 
 import sys
 from pathlib import Path

@@ -56,12 +56,12 @@ void print(const emtr_result& r, const std::vector<double>& residuals) {
 #define SCALAR(field) print(#field, &r.field, 1)
   SCALAR(registered), SCALAR(fitness), SCALAR(inlier_ratio_source), SCALAR(inlier_ratio_target);
   SCALAR(overlap_source), SCALAR(overlap_target), SCALAR(inlier_rmse_plane), SCALAR(leaf_fine);
-  SCALAR(inlier_rmse), SCALAR(mode_gap), SCALAR(points_source), SCALAR(points_target);
+  SCALAR(inlier_rmse), SCALAR(fitness_gap), SCALAR(points_source), SCALAR(points_target);
   SCALAR(dropped_source), SCALAR(dropped_target), SCALAR(sparse_source), SCALAR(dense_source);
   SCALAR(dense_target), SCALAR(correspondences), SCALAR(tims), SCALAR(tims_pruned);
   SCALAR(scale), SCALAR(leaf_sparse), SCALAR(leaf_dense), SCALAR(iterations);
   SCALAR(confidence), SCALAR(score), SCALAR(fit), SCALAR(violation), SCALAR(score_gap);
-  SCALAR(seeds), SCALAR(candidates), SCALAR(escalated), SCALAR(refined), SCALAR(free_directions);
+  SCALAR(seeds), SCALAR(candidates), SCALAR(used_fallback_search), SCALAR(refined), SCALAR(unconstrained_directions);
 #undef SCALAR
   print("transformation", r.transformation, 16);
   print("center_source", r.center_source, 3);
@@ -73,9 +73,9 @@ void print(const emtr_result& r, const std::vector<double>& residuals) {
         17 * r.alternative_count);
   print("information", r.information, 36);
   print("hold", r.hold, 6);
-  print("hold_directions", r.hold_directions, 36);
-  const std::uint64_t lookups[] = {r.lookups_evaluation, r.lookups_switch, r.lookups_complement};
-  print("lookups", lookups, 3);
+  print("hessian_eigenvectors", r.hessian_eigenvectors, 36);
+  const std::uint64_t queries[] = {r.queries_evaluation, r.queries_switch, r.queries_complement};
+  print("queries", queries, 3);
   print("residuals", residuals.data(), residuals.size());
   const std::vector<float> single(residuals.begin(), residuals.end());
   print("residuals_single", single.data(), single.size());
@@ -105,7 +105,7 @@ struct Handed {
   }
 
   template <class Registration>
-  void hand_in(Registration& registration) const {
+  void set_user_input(Registration& registration) const {
     if (normals[0]) registration.setSourceNormals(normals[0]);
     if (normals[1]) registration.setTargetNormals(normals[1]);
     if (features[0]) registration.setSourceFeatures(features[0]);
@@ -117,7 +117,7 @@ struct Handed {
     registration.setCorrespondences(pairs);
   }
 
-  void hand_in(int side, emtr_cloud& cloud) const {
+  void set_user_input(int side, emtr_cloud& cloud) const {
     if (normals[side]) {
       cloud.normals = (*normals[side])[0].normal;
       cloud.normal_stride = sizeof(pcl::Normal);
@@ -138,7 +138,7 @@ bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& 
   if (!registration.setPreset(chosen.preset)) return false;
   registration.setNumberOfThreads(static_cast<unsigned>(chosen.threads));
   registration.setSeed(chosen.seed);
-  handed.hand_in(registration);
+  handed.set_user_input(registration);
   Eigen::Matrix4d guess = Eigen::Matrix4d::Identity();
   if (chosen.priors) {
     using Eigen::Vector3d;
@@ -169,8 +169,8 @@ int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen, const H
   if (chosen.priors) set_priors(settings);
   emtr_cloud from{&source[0].x, source.size(), sizeof source[0], EMTR_FLOAT32};
   emtr_cloud to{&target[0].x, target.size(), sizeof target[0], EMTR_FLOAT32};
-  handed.hand_in(0, from);
-  handed.hand_in(1, to);
+  handed.set_user_input(0, from);
+  handed.set_user_input(1, to);
   if (!handed.rows.empty()) settings.correspondences = handed.rows.data();
   settings.correspondence_count = handed.rows.size() / 2;
   if (emtr_register(&from, &to, &settings, nullptr, nullptr, &result) != EMTR_OK) {

@@ -6,11 +6,11 @@ import os
 from pathlib import Path
 
 import pytest
-from bit_table import clouds, kernels
-from bit_table.builds import Build
-from bit_table.fields import Fields, differing
-from bit_table.program import results
-from bit_table.runs import Run
+from reproducibility_matrix import clouds, kernels
+from reproducibility_matrix.builds import Build
+from reproducibility_matrix.fields import Fields, differing
+from reproducibility_matrix.program import results
+from reproducibility_matrix.runs import Run
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Build("this", Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build")))
@@ -45,7 +45,7 @@ def changed(run: Run, **changes: object) -> Run:
 
 
 def by_pyemtr(run: Run) -> Fields:
-    from bit_table import python_run
+    from reproducibility_matrix import python_run
 
     return python_run.run(str(run.source), str(run.target), run.threads, run.seed, run.preset)
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bit_table.clouds import generated, write_pcd
+from reproducibility_matrix.clouds import generated, write_pcd
 from test_handed import COMMAND, KERNELS, PROGRAM, outcome
 
 import pyemtr

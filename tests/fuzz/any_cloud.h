@@ -13,7 +13,7 @@ struct Handed {
   std::size_t dimension = 0;  ///< of the features, 0: none
 };
 
-inline Handed any_handed(Input& input) {
+inline Handed any_user_input(Input& input) {
   Handed out;
   out.normals = input.ConsumeIntegralInRange(0, 2) == 2;
   if (input.ConsumeIntegralInRange(0, 2) == 2)
@@ -26,7 +26,7 @@ class AnyCloud {
  public:
   /// Of at most `most` points; handed in as said, or now and then otherwise than its partner.
   AnyCloud(Input& input, std::size_t most, Handed handed = {}) {
-    if (input.ConsumeIntegralInRange(0, 15) == 15) handed = any_handed(input);
+    if (input.ConsumeIntegralInRange(0, 15) == 15) handed = any_user_input(input);
     const AnySurface surface(input);
     const std::size_t count = most - input.ConsumeIntegralInRange<std::size_t>(0, most);
     view_.count = count;
@@ -40,8 +40,8 @@ class AnyCloud {
     spoil(points_, count, 3, 4, input);
     view_.points = points_.data();
     view_.stride = points_.stride();
-    if (handed.normals) hand_in_normals(surface, input);
-    if (handed.dimension) hand_in_features(surface, handed.dimension, input);
+    if (handed.normals) set_user_normals(surface, input);
+    if (handed.dimension) set_user_features(surface, handed.dimension, input);
     view_.keep_points = input.ConsumeBool();
   }
 
@@ -49,7 +49,7 @@ class AnyCloud {
   double coordinate(std::size_t i, std::size_t axis) const { return points_.get(i, axis); }
 
  private:
-  void hand_in_normals(const AnySurface& surface, Input& input) {
+  void set_user_normals(const AnySurface& surface, Input& input) {
     normals_ = AnyRows(input, view_.count, 3, view_.scalar);
     for (std::size_t i = 0; i < view_.count; ++i) {
       const AnySurface::Vector n = surface.normal(i);
@@ -60,7 +60,7 @@ class AnyCloud {
     view_.normal_stride = normals_.stride();
   }
 
-  void hand_in_features(const AnySurface& surface, std::size_t dimension, Input& input) {
+  void set_user_features(const AnySurface& surface, std::size_t dimension, Input& input) {
     features_ = AnyRows(input, view_.count, dimension, EMTR_FLOAT32);
     for (std::size_t i = 0; i < view_.count; ++i)
       for (std::size_t d = 0; d < dimension; ++d) features_.set(i, d, surface.descriptor(i, d));

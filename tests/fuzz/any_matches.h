@@ -24,7 +24,7 @@ class AnyMatches {
     if (input.ConsumeIntegralInRange(0, 15) == 15) rows_.reset();  // a count of nothing
   }
 
-  void hand_in(emtr_settings& settings) const {
+  void set_user_input(emtr_settings& settings) const {
     settings.correspondences = rows_.get();
     settings.correspondence_count = count_;
   }

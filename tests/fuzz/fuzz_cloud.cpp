@@ -14,15 +14,15 @@ using fuzz::accepted;
 using fuzz::require;
 
 void prepare(const emtr_cloud& cloud, const std::string& name) {
-  emtr_prepared* prepared = nullptr;
-  if (!accepted(emtr_prepare(&cloud, name.c_str(), 1, &prepared))) {
-    require(prepared == nullptr);
+  emtr_preprocessed* preprocessed = nullptr;
+  if (!accepted(emtr_preprocess(&cloud, name.c_str(), 1, &preprocessed))) {
+    require(preprocessed == nullptr);
     return;
   }
-  const std::unique_ptr<emtr_prepared, decltype(&emtr_prepared_free)> owned(prepared,
-                                                                            emtr_prepared_free);
-  emtr_prepared_info info;
-  require(accepted(emtr_prepared_describe(prepared, &info, sizeof info)));
+  const std::unique_ptr<emtr_preprocessed, decltype(&emtr_preprocessed_free)> owned(preprocessed,
+                                                                            emtr_preprocessed_free);
+  emtr_preprocessed_info info;
+  require(accepted(emtr_preprocessed_describe(preprocessed, &info, sizeof info)));
   require(info.points + info.dropped == cloud.count && info.points >= 10);
   require(info.kept == info.points);  // far too few to be thinned
   require(std::isfinite(info.radius) && info.radius > 0);
@@ -70,12 +70,12 @@ emtr_cloud contradiction(emtr_cloud cloud, fuzz::Input& input) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Input input(data, size);
   const std::string name = input.ConsumeRandomLengthString(8);
-  const fuzz::AnyCloud cloud(input, 64, fuzz::any_handed(input));
+  const fuzz::AnyCloud cloud(input, 64, fuzz::any_user_input(input));
   prepare(cloud.view(), name);
 
   // Refused before its memory is touched.
   const emtr_cloud wrong = contradiction(cloud.view(), input);
-  emtr_prepared* prepared = nullptr;
-  require(!accepted(emtr_prepare(&wrong, nullptr, 1, &prepared)));
+  emtr_preprocessed* preprocessed = nullptr;
+  require(!accepted(emtr_preprocess(&wrong, nullptr, 1, &preprocessed)));
   return 0;
 }

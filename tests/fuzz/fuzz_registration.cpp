@@ -68,10 +68,10 @@ struct Stop {
   }
 };
 
-Owned<emtr_prepared> prepared(const emtr_cloud& cloud) {
-  emtr_prepared* out = nullptr;
-  accepted(emtr_prepare(&cloud, nullptr, 1, &out));
-  return {out, emtr_prepared_free};
+Owned<emtr_preprocessed> preprocessed(const emtr_cloud& cloud) {
+  emtr_preprocessed* out = nullptr;
+  accepted(emtr_preprocess(&cloud, nullptr, 1, &out));
+  return {out, emtr_preprocessed_free};
 }
 
 void read_array(const emtr_problem* problem, Input& input) {
@@ -114,10 +114,10 @@ void use(emtr_problem* problem, Input& input) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Input input(data, size);
   emtr_settings settings = fuzz::small_settings(input);
-  const fuzz::Handed handed = fuzz::any_handed(input);
+  const fuzz::Handed handed = fuzz::any_user_input(input);
   const fuzz::AnyCloud source(input, 48, handed), target(input, 48, handed);
   const fuzz::AnyMatches matches(input, source.view().count, target.view().count);
-  matches.hand_in(settings);
+  matches.set_user_input(settings);
   Stop stop{input.ConsumeBool() ? input.ConsumeIntegralInRange(0, 15) : -1};
   emtr_result* result = nullptr;
   bool done = false;
@@ -127,9 +127,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
           emtr_register(&source.view(), &target.view(), &settings, Stop::at, &stop, &result));
       break;
     case 1: {
-      const auto a = prepared(source.view()), b = prepared(target.view());
+      const auto a = preprocessed(source.view()), b = preprocessed(target.view());
       done =
-          accepted(emtr_register_prepared(a.get(), b.get(), &settings, Stop::at, &stop, &result));
+          accepted(emtr_register_preprocessed(a.get(), b.get(), &settings, Stop::at, &stop, &result));
       break;
     }
     default: {

@@ -48,9 +48,9 @@ inline void read_cloud(const std::string& extension, const std::uint8_t* data, s
   std::vector<double> copy;
   const emtr_cloud points = cli::coordinates(cloud, copy);
   require(points.count == cloud.size() && points.count > 0);
-  emtr_prepared* prepared = nullptr;
-  accepted(emtr_prepare(&points, "", 1, &prepared));
-  emtr_prepared_free(prepared);
+  emtr_preprocessed* preprocessed = nullptr;
+  accepted(emtr_preprocess(&points, "", 1, &preprocessed));
+  emtr_preprocessed_free(preprocessed);
 
   const Eigen::Matrix4d quarter_turn =
       (Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ()))

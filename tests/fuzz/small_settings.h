@@ -36,8 +36,8 @@ inline emtr_settings small_settings(Input& input) {
   limit(settings, "complement_iterations", 2);
   limit(settings, "seeds", 4);
   limit(settings, "candidates", 3);
-  limit(settings, "escalation_seeds", 4);
-  limit(settings, "escalation_candidates", 3);
+  limit(settings, "fallback_seeds", 4);
+  limit(settings, "fallback_candidates", 3);
   // Tiny clouds leave every run in doubt: all of them would make the second search, which costs as
   // much as ten without.
   if (!seldom(input)) settings.escalation = 0;

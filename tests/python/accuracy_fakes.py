@@ -97,7 +97,7 @@ class FakeEngine:
             registered,
             "registered" if registered else "ambiguous",
             {"fitness": 0.25, "inlier_ratio_source": 0.9, "inlier_ratio_target": 0.8,
-             "inlier_rmse": float("nan"), "mode_gap": 0.125,
+             "inlier_rmse": float("nan"), "fitness_gap": 0.125,
              "confidence": float("nan") if options.preset == "paper" else
              0.75 if registered else 0.25},
             {"sparse_source": SPARSE, "dense_source": DENSE[0], "dense_target": DENSE[1]},

@@ -27,7 +27,7 @@ def nearest(queries: np.ndarray, points: np.ndarray) -> tuple[np.ndarray, np.nda
 
 
 def rho(r: np.ndarray, c: float) -> np.ndarray:
-    """Tukey's biweight, normalised: 1 - (1 - (r/c)^2)^3 within c, else 1."""
+    """Tukey's biweight, normalized: 1 - (1 - (r/c)^2)^3 within c, else 1."""
     return np.where(r <= c, 1 - (1 - np.minimum(r / c, 1) ** 2) ** 3, 1.0)
 
 
@@ -80,7 +80,7 @@ def mean_resolution(points: np.ndarray) -> float:
 
 
 def transformation(particle, scale, center_source, center_target) -> np.ndarray:
-    """A particle of the normalised frame p' = (p - center) / scale in the user's unit."""
+    """A particle of the normalized frame p' = (p - center) / scale in the user's unit."""
     matrix = np.eye(4)
     matrix[:3, :3] = rotation(particle[:3])
     shift = scale * np.asarray(particle[3:])

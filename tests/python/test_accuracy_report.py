@@ -7,7 +7,7 @@ import sys
 import accuracy_fakes
 import pytest
 from accuracy_fakes import REPOSITORY, FakeEngine
-from emtr_bench import accuracy, arguments, lookups, records, report
+from emtr_bench import accuracy, arguments, queries, records, report
 
 
 @pytest.fixture
@@ -66,14 +66,14 @@ def test_the_json_holds_every_run(data, tmp_path, capsys):
     assert len(value["runs"]) == 6 and [p["pair"] for p in value["pairs"]] == ["hare", "hall"]
     good, bad, lost = value["runs"][:3]
     assert (good["pair"], good["index"], good["class"], good["seed"]) == ("hare", 0, "SRxST", 0)
-    assert good["joint"] is True and good["reason"] == "registered" and good["mode_gap"] == 0.125
+    assert good["joint"] is True and good["reason"] == "registered" and good["fitness_gap"] == 0.125
     assert good["inlier_rmse"] is None  # NaN is no JSON
-    assert good["lookups"]["complement"] == 9 and good["seconds"] == {"total": 0.5}
+    assert good["queries"]["complement"] == 9 and good["seconds"] == {"total": 0.5}
     assert len(good["T_est"]) == len(good["T_true"]) == 4
     assert bad["E_R"] == pytest.approx(20.0, abs=1e-3) and bad["joint"] is False
     assert lost["T_est"] is None and lost["E_R"] is None and "not to my taste" in lost["error"]
     assert value["pairs"][0]["crashed"] == 1
-    assert value["pairs"][0]["paper"]["lookups"] == 8.42
+    assert value["pairs"][0]["paper"]["queries"] == 8.42
     assert value["mean"]["success"] == pytest.approx(100 / 3)
     assert (good["confidence"], bad["confidence"]) == (0.75, 0.25)
     assert value["mean"]["auc"] == 1.0 and value["unrelated"] == []
@@ -133,7 +133,7 @@ def test_require_asks_for_the_papers_marks(data, capsys):
 
 
 def test_lookups_are_held_against_the_formula(data, capsys):
-    assert accuracy.main(["--lookups"], FakeEngine()) == 0
+    assert accuracy.main(["--queries"], FakeEngine()) == 0
     output = capsys.readouterr().out
     # 12 sparse of 80 dense: 50 (60 x 12 + 40 x 80) and 50 x 100 x 80.
     assert table_row(output, "hare")[1:] == (
@@ -143,14 +143,14 @@ def test_lookups_are_held_against_the_formula(data, capsys):
 
 
 def test_one_lookup_too_many_fails(data, capsys):
-    assert accuracy.main(["--lookups"], FakeEngine(miscounts=1)) == 0
+    assert accuracy.main(["--queries"], FakeEngine(miscounts=1)) == 0
     assert "0 of 2 pairs PASS" in capsys.readouterr().out
-    assert accuracy.main(["--lookups", "--require"], FakeEngine(miscounts=1)) == 1
+    assert accuracy.main(["--queries", "--require"], FakeEngine(miscounts=1)) == 1
 
 
 @pytest.mark.parametrize(("fraction", "first"), [(0.6, 60), (0.601, 61), (0.0, 0), (1.0, 100)])
 def test_the_switch_comes_at_the_ceiling(fraction, first):
-    budget = lookups.Budget(50, 100, fraction)
+    budget = queries.Budget(50, 100, fraction)
     assert budget.with_switch(7, 11) == 50 * (first * 7 + (100 - first) * 11)
 
 
@@ -160,8 +160,8 @@ def test_the_switch_comes_at_the_ceiling(fraction, first):
         (["--preset", "best"], "there is no preset 'best'"),
         (["--tier", "nice"], "--tier nice: no such tier"),
         (["--pair", "cow"], "--pair cow: no such pair"),
-        (["--lookups", "--set", "sparse_to_dense=0"], "do not --set it"),
-        (["--lookups", "--unrelated", "2"], "no --unrelated"),
+        (["--queries", "--set", "sparse_to_dense=0"], "do not --set it"),
+        (["--queries", "--unrelated", "2"], "no --unrelated"),
         (["--unrelated", "99"], "--unrelated 99: the chosen pairs make 2 pairings"),
         (["--data", "/nowhere"], "no test data: /nowhere/MANIFEST.csv"),
         (["--smoke", "--tier", "nice"], "--tier nice: no such tier"),

@@ -36,7 +36,7 @@ def test_the_generated_pair_stands_in_for_the_data(tmp_path):
 
 
 def test_the_real_library_keeps_to_the_papers_formula():
-    done = run("--smoke", "--lookups", "--require", "--threads", "2", EMTR_DATA="/nowhere")
+    done = run("--smoke", "--queries", "--require", "--threads", "2", EMTR_DATA="/nowhere")
     assert done.returncode == 0, done.stdout + done.stderr
     assert "1 of 1 pairs PASS" in done.stdout
 

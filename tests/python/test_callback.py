@@ -32,7 +32,7 @@ ALL = {
     "threads": 2,
     "dense_points": 3000,
     "escalation": "always",
-    "escalation_points": 4000,
+    "fallback_points": 4000,
 }  # quick, and through all stages
 
 
@@ -86,7 +86,7 @@ def test_true_stops_at_any_stage(pair, stage):
     assert result.iterations == (8 if "evolution" in done else 0)
     assert np.isfinite(result.transformation).all() == ("seeds" in done)  # one of them at least
     assert np.isfinite(result.confidence) == ("candidates" in done)
-    assert result.escalated == ("escalation" in done)
+    assert result.used_fallback_search == ("escalation" in done)
     assert result.refined == ("refinement" in done)
 
 
@@ -143,7 +143,7 @@ def test_a_problem_is_not_entered_again_from_its_own_callback(pair):
     problem = pyemtr.Problem(pair.source, pair.target, iterations=3, threads=2)
 
     def callback(progress):
-        assert problem.lookups >= 0  # to look is allowed
+        assert problem.queries >= 0  # to look is allowed
         problem.evaluate_beta(np.zeros((1, 3)))
 
     with pytest.raises(RuntimeError, match="callback"):

@@ -32,7 +32,7 @@ def test_the_figures_belong_together(solved):
     assert 0 < solved.fit <= 1 and 0 <= solved.violation <= 1
     assert 0 < solved.score_gap <= solved.score
     assert solved.seeds > 0 and 1 + len(solved.alternatives) <= solved.candidates
-    assert solved.refined is True and solved.escalated is False
+    assert solved.refined is True and solved.used_fallback_search is False
 
 
 def test_the_paper_preset_has_none(pair):
@@ -40,7 +40,7 @@ def test_the_paper_preset_has_none(pair):
     for name in ("confidence", "score", "fit", "violation", "score_gap"):
         assert np.isnan(getattr(found, name)), name
     assert (found.seeds, found.candidates, found.alternatives) == (0, 0, [])
-    assert found.refined is False and found.free_directions is None
+    assert found.refined is False and found.unconstrained_directions is None
     assert found.registered and "confidence" not in repr(found)
 
 
@@ -72,7 +72,7 @@ def test_a_lattice_fits_in_many_ways():
 
 def test_alternatives_are_other_poses_best_first(twofold):
     found = pyemtr.register(twofold.source, twofold.target, threads=2, escalation="always")
-    assert found.escalated is True
+    assert found.used_fallback_search is True
     scores = [alternative.score for alternative in found.alternatives]
     assert scores == sorted(scores, reverse=True) and scores[0] <= found.score
     assert 1 <= len(scores) <= 10

@@ -13,15 +13,15 @@ def solved(pair):
 
 
 def test_shapes_and_order(solved):
-    assert solved.information.shape == solved.hold_directions.shape == (6, 6)
+    assert solved.information.shape == solved.hessian_eigenvectors.shape == (6, 6)
     assert solved.hold.shape == (6,)
     np.testing.assert_allclose(solved.information, solved.information.T, rtol=1e-9)
     assert np.linalg.eigvalsh(solved.information).min() > 0
     assert 0 < solved.hold[0] <= solved.hold[-1] <= 1 and np.all(np.diff(solved.hold) >= 0)
     np.testing.assert_allclose(
-        solved.hold_directions @ solved.hold_directions.T, np.eye(6), atol=1e-9
+        solved.hessian_eigenvectors @ solved.hessian_eigenvectors.T, np.eye(6), atol=1e-9
     )
-    assert solved.free_directions == 0 and solved.refined
+    assert solved.unconstrained_directions == 0 and solved.refined
 
 
 def test_the_unit_of_the_information(pair, solved):
@@ -58,7 +58,7 @@ def test_the_information_foretells_the_scatter_of_the_pose():
         informations.append(both @ found.information @ both.T)
     foretold = np.sqrt(np.diag(np.linalg.inv(np.mean(informations, axis=0))))
     seen = np.sqrt(np.mean(np.square(errors), axis=0))
-    # Of 24 pairs a ratio is known to a seventh. Residuals of neighbouring cubes share points, which
+    # Of 24 pairs a ratio is known to a seventh. Residuals of neighboring cubes share points, which
     # the information takes for independent: it foretells up to 2.3 times too little.
     ratio = seen / foretold
     assert np.all((ratio > 0.6) & (ratio < 2.6)), ratio
@@ -71,14 +71,14 @@ def test_a_ball_turns_as_it_likes():
     )
     assert found.reason == "degenerate" and not found.registered
     assert "slide or spin" in found.reason_text
-    assert found.free_directions == 3
+    assert found.unconstrained_directions == 3
     assert found.hold[:3].max() < 0.01 < 0.1 < found.hold[3:].min()
-    assert np.abs(found.hold_directions[:3, 3:]).max() < 0.05  # the free ones are rotations
+    assert np.abs(found.hessian_eigenvectors[:3, 3:]).max() < 0.05  # the free ones are rotations
 
 
 def test_without_refinement_nothing_is_known(pair):
     found = pyemtr.register(pair.source, pair.target, refine=False, threads=2)
-    assert found.refined is False and found.free_directions is None
-    for array in (found.information, found.hold, found.hold_directions):
+    assert found.refined is False and found.unconstrained_directions is None
+    for array in (found.information, found.hold, found.hessian_eigenvectors):
         assert np.isnan(array).all()
     assert found.to_dict()["hold"] == [None] * 6 and found.confidence > 0.9

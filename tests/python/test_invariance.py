@@ -23,7 +23,7 @@ from pyemtr.metrics import rotation_error
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 
-from bit_table import clouds
+from reproducibility_matrix import clouds
 
 ROUNDING = (1e-3, 1e-5)
 OTHER_GRID = (0.3, 0.005)

@@ -79,8 +79,8 @@ def test_translation_error_is_the_papers_in_the_normalised_frame(
     first, second, t1, t2, source, target, scale
 ):
     # The paper compares translations after both clouds were centred and divided by scale.
-    normalised = [(r.apply(source) + t - target) / scale for r, t in ((first, t1), (second, t2))]
-    expected = np.linalg.norm(normalised[0] - normalised[1])
+    normalized = [(r.apply(source) + t - target) / scale for r, t in ((first, t1), (second, t2))]
+    expected = np.linalg.norm(normalized[0] - normalized[1])
     error = translation_error(pose(first, t1), pose(second, t2), source, scale)
     assert error == pytest.approx(expected, rel=1e-9, abs=1e-9)
 

@@ -49,7 +49,7 @@ def test_nothing_near_costs_one_a_point(problem):
 
 
 @pytest.mark.parametrize("neighbors", [1, 2])
-def test_every_neighbour_search_gives_the_same_bits(pair, problem, particles, neighbors):
+def test_every_neighbor_search_gives_the_same_bits(pair, problem, particles, neighbors):
     other = pyemtr.Problem(pair.source, pair.target, neighbors=neighbors, threads=2)
     for stage in ("sparse", "dense"):
         assert (

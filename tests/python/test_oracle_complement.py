@@ -31,7 +31,7 @@ def test_near_the_truth_and_anywhere(problem, pair):
     )
     for angles in turns:
         found = problem.complement(angles)
-        # A near tie between two neighbours may fall either way in float32 and moves the mean
+        # A near tie between two neighbors may fall either way in float32 and moves the mean
         # by a leaf over the number of points.
         np.testing.assert_allclose(found, expected(problem, angles), rtol=0, atol=2e-4)
     # It is a local search from no translation at all: at the true rotation it comes nearer.
@@ -54,7 +54,7 @@ def test_other_schedules(pair, iterations):
 
 
 def test_it_is_counted(problem):
-    before = problem.lookups
+    before = problem.queries
     problem.complement([0.1, 0.2, 0.3])
     steps = problem.settings["complement_iterations"]
-    assert problem.lookups - before == steps * len(problem.source_sparse)
+    assert problem.queries - before == steps * len(problem.source_sparse)

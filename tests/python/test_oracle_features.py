@@ -70,7 +70,7 @@ def test_normals_are_the_least_principal_direction(paper_problem, side):
     for i in range(0, len(cloud), 17):
         distance = np.linalg.norm(cloud - cloud[i], axis=1)
         if np.any(np.abs(distance - radius) < 1e-6):
-            continue  # float32 decides whether that point is a neighbour
+            continue  # float32 decides whether that point is a neighbor
         around = cloud[distance < radius]
         values, vectors = np.linalg.eigh(np.cov(around.T, bias=True))
         if len(around) > 4 and values[1] > 3 * values[0]:  # else there is no clear normal

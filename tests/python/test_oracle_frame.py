@@ -1,4 +1,4 @@
-"""The normalised frame, the scales that follow from it, and the TIMs."""
+"""The normalized frame, the scales that follow from it, and the TIMs."""
 
 import numpy as np
 import oracles

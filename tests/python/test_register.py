@@ -111,9 +111,9 @@ def test_the_paper_preset_keeps_to_the_paper(pair):
     assert np.all(np.diff(found.history["beta"]) <= 0)
     assert found.dense_source + found.dense_target == pytest.approx(4000, rel=0.05)
     particles, sparse, dense = 50, found.sparse_source, found.dense_source + found.dense_target
-    assert found.lookups["switch"] == particles * dense
-    assert found.lookups["evaluation"] == particles * (60 * sparse + 40 * dense)
-    assert found.lookups["complement"] > 0 and found.lookups["complement"] % sparse == 0
+    assert found.queries["switch"] == particles * dense
+    assert found.queries["evaluation"] == particles * (60 * sparse + 40 * dense)
+    assert found.queries["complement"] > 0 and found.queries["complement"] % sparse == 0
 
 
 def test_the_settings_repeat_the_run(pair):
@@ -128,7 +128,7 @@ def test_the_settings_repeat_the_run(pair):
         source_viewpoint=[4, 3, 2.5],
         target_viewpoint=(1, 2, 3),
         escalation="always",
-        escalation_points=3000,
+        fallback_points=3000,
         **QUICK,
     )
     assert first.settings["transfer"] is False and first.settings["neighbors"] == "brute"

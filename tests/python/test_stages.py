@@ -117,15 +117,15 @@ def test_the_settings_reach_the_problem(pair):
 
 def test_lookups_are_counted(problem):
     particles = np.zeros((7, 6))
-    before = problem.lookups
+    before = problem.queries
     problem.evaluate_alpha(particles, "sparse")
-    sparse = problem.lookups
+    sparse = problem.queries
     problem.evaluate_alpha(particles, "dense")
-    dense = problem.lookups
+    dense = problem.queries
     problem.evaluate_beta(particles[:, :3])
     assert sparse - before == 7 * len(problem.source_sparse)
     assert dense - sparse == 7 * (len(problem.source_dense) + len(problem.target_dense))
-    assert problem.lookups == dense
+    assert problem.queries == dense
 
 
 def test_another_optimiser_can_drive_alpha(problem, pair):

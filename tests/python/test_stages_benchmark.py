@@ -1,4 +1,4 @@
-"""tools/bench/stages: two neighbour structures, run by turns."""
+"""tools/bench/stages: two neighbor structures, run by turns."""
 
 import math
 

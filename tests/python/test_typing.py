@@ -80,7 +80,7 @@ MISUSE = [
     "pyemtr.register(a, a).registred",
     "pyemtr.register(a, a).fitness.upper()",
     "pyemtr.register(a, a).alternatives[0].pose",
-    "pyemtr.register(a, a).free_directions + 1",  # it may be None
+    "pyemtr.register(a, a).unconstrained_directions + 1",  # it may be None
     "pyemtr.Problem(a, a).source_dense.bogus",
     "pyemtr.TaskAlpha(a, a, stage=1)",
     "pyemtr.settings()['seed'].nothing",

@@ -24,7 +24,7 @@ def one_call(source: NDArray[np.float32], target: NDArray[np.float64]) -> NDArra
         transfer=False,
         neighbors="grid",
     )
-    cost: int = result.lookups["evaluation"] + result.lookups["switch"]
+    cost: int = result.queries["evaluation"] + result.queries["switch"]
     seconds: float = result.timings["total"]
     best: NDArray[np.float64] = result.history["alpha"]
     print(result.registered, result.reason.upper(), cost, seconds, best.min(), result.to_dict())
@@ -43,15 +43,15 @@ def how_sure(source: NDArray[np.float32], target: NDArray[np.float32]) -> list[f
         translation_bounds=(np.zeros(3), (1, 1, 0.5)),
     )
     deviation: NDArray[np.float64] = np.sqrt(np.diag(np.linalg.inv(result.information)))
-    free: int = result.free_directions or 0
+    free: int = result.unconstrained_directions or 0
     print(
         result.confidence > 0.9,
         result.seeds + result.candidates,
-        result.escalated,
+        result.used_fallback_search,
         free,
         deviation.max(),
         result.hold.min(),
-        result.hold_directions[:free],
+        result.hessian_eigenvectors[:free],
     )
     others: list[pyemtr.Alternative] = result.alternatives
     for transformation, score in others:
@@ -76,7 +76,7 @@ def stage_by_stage(source: list[list[float]], target: NDArray[np.int16]) -> pyem
     print(beta.evaluate(particles[:, :3]), problem.complement(best[:3]), problem.tau / 2)
     rows: NDArray[np.int32] = problem.correspondences
     matched: NDArray[np.float32] = problem.source_dense[rows[:, 0]]
-    print(problem.to_particle(problem.to_transformation(best)), matched, problem.lookups + 1)
+    print(problem.to_particle(problem.to_transformation(best)), matched, problem.queries + 1)
     return problem.solve(callback=watch)
 
 

@@ -1,4 +1,4 @@
-// Nanoseconds a look-up of the nearest neighbour, truncated where the M-estimator is flat, and the
+// Nanoseconds a look-up of the nearest neighbor, truncated where the M-estimator is flat, and the
 // time to make the structure: pcl::KdTreeFLANN, nanoflann, and the candidate grid and voxel cells
 // with each kernel, for clouds of 600 to 100000 points, in random poses as a swarm begins with, and
 // aligned as it ends.
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "features/kdtree_neighbors.h"
+#include "neighbors/kdtree_neighbors.h"
 
 namespace {
 
@@ -72,7 +72,7 @@ std::vector<Cloud> queries(std::size_t n, bool aligned) {
 
 /// Times answer(queries, out) over all poses; a rate of items is look-ups a second.
 template <class Answer>
-void time_look_ups(benchmark::State& state, std::size_t n, bool aligned, Answer answer) {
+void time_queries(benchmark::State& state, std::size_t n, bool aligned, Answer answer) {
   const std::vector<Cloud> poses = queries(n, aligned);
   std::vector<float> out(n);
   std::size_t pose = 0;
@@ -110,7 +110,7 @@ void by_nanoflann(benchmark::State& state, std::size_t n, bool aligned) {
   const Cloud cloud = surface(n, 1);
   const Adaptor adaptor{cloud};
   const auto tree = make_nanoflann(adaptor);
-  time_look_ups(state, n, aligned, [&](const Cloud& q, std::vector<float>& out) {
+  time_queries(state, n, aligned, [&](const Cloud& q, std::vector<float>& out) {
     for (std::size_t i = 0; i < q.size(); ++i) {
       const float point[3] = {q.x[i], q.y[i], q.z[i]};
       std::uint32_t index;
@@ -125,7 +125,7 @@ using Make = std::function<std::unique_ptr<emtr::Neighbors>(const Cloud&, float,
 void by_structure(benchmark::State& state, std::size_t n, bool aligned, const Make& make) {
   const Cloud cloud = surface(n, 1);
   const auto structure = make(cloud, static_cast<float>(kScale) * leaf_of(n), leaf_of(n));
-  time_look_ups(state, n, aligned, [&](const Cloud& q, std::vector<float>& out) {
+  time_queries(state, n, aligned, [&](const Cloud& q, std::vector<float>& out) {
     structure->squared_distances(q.view(), out.data());
   });
 }

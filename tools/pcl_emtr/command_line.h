@@ -6,7 +6,7 @@
 #include <string>
 
 #include "correspondence_file.h"
-#include "handed_fields.h"
+#include "user_fields.h"
 
 namespace cli {
 
@@ -18,7 +18,7 @@ struct Options {
   std::string aligned;  // the moved source
   std::string report;
   std::string guess;
-  HandedFields fields;
+  UserFields fields;
   CorrespondenceFile correspondences;
   std::string preset = "default";
   bool viewpoints_from_files = true;  // of the clouds for which none was given

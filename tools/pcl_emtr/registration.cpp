@@ -53,8 +53,8 @@ Result run_registration(const CloudFile& source, const CloudFile& target, const 
   emtr_cloud target_points = coordinates(target, target_copy);
   std::vector<double> source_normals;
   std::vector<double> target_normals;
-  options.fields.hand_in(source, source_points, source_normals);
-  options.fields.hand_in(target, target_points, target_normals);
+  options.fields.set_user_input(source, source_points, source_normals);
+  options.fields.set_user_input(target, target_points, target_normals);
 
   emtr_result* raw = nullptr;
   emtr_status status;

@@ -1,7 +1,7 @@
 #include "report.h"
 
 #include "json_rows.h"
-#include "report_standing.h"
+#include "report_confidence.h"
 #include "residuals.h"
 #include "setting_text.h"
 #include "versions.h"
@@ -66,7 +66,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["translation_bounds"] =
       s.has_translation_bounds ? Json{s.translation_minimum, s.translation_maximum} : Json();
 
-  out["handed_in"] = {{"normals", options.fields.normals},
+  out["user_provided"] = {{"normals", options.fields.normals},
                       {"features", file_name(options.fields.features)},
                       {"correspondences", options.correspondences.size()}};
 
@@ -78,7 +78,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["quality"] = {{"fitness", r.fitness},
                     {"inlier_ratio_source", r.inlier_ratio_source},
                     {"inlier_ratio_target", r.inlier_ratio_target},
-                    {"mode_gap", r.mode_gap},
+                    {"fitness_gap", r.fitness_gap},
                     {"overlap_source", r.overlap_source},
                     {"overlap_target", r.overlap_target},
                     {"inlier_rmse", r.inlier_rmse},
@@ -87,7 +87,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                     {"fit", r.fit},
                     {"violation", r.violation},
                     {"score_gap", r.score_gap}};
-  out["escalated"] = r.escalated != 0;
+  out["used_fallback_search"] = r.used_fallback_search != 0;
   out["refined"] = r.refined != 0;
   out["alternatives"] = alternatives_json(r);
   out["refinement"] = refinement_json(r);
@@ -109,10 +109,10 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                    {"seeds", r.seeds},
                    {"candidates", r.candidates},
                    {"iterations", r.iterations}};
-  out["lookups"] = {{"evaluation", r.lookups_evaluation},
-                    {"switch", r.lookups_switch},
-                    {"complement", r.lookups_complement},
-                    {"total", r.lookups_evaluation + r.lookups_switch + r.lookups_complement}};
+  out["queries"] = {{"evaluation", r.queries_evaluation},
+                    {"switch", r.queries_switch},
+                    {"complement", r.queries_complement},
+                    {"total", r.queries_evaluation + r.queries_switch + r.queries_complement}};
   out["frame"] = {{"scale", r.scale},
                   {"center_source", r.center_source},
                   {"center_target", r.center_target},
@@ -121,14 +121,14 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                   {"leaf_fine", r.leaf_fine}};
   out["seconds"] = {{"load_source", source.milliseconds / 1e3},
                     {"load_target", target.milliseconds / 1e3},
-                    {"frame", r.seconds_frame},
-                    {"densities", r.seconds_densities},
+                    {"frame", r.seconds_normalization},
+                    {"densities", r.seconds_downsampling},
                     {"features", r.seconds_features},
                     {"matching", r.seconds_matching},
                     {"seeds", r.seconds_seeds},
                     {"evolution", r.seconds_evolution},
                     {"candidates", r.seconds_candidates},
-                    {"escalation", r.seconds_escalation},
+                    {"escalation", r.seconds_fallback_search},
                     {"refinement", r.seconds_refinement},
                     {"verdict", r.seconds_verdict},
                     {"total", r.seconds_total}};

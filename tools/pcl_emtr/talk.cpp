@@ -40,10 +40,10 @@ std::string ms(double seconds) {
 /// Milliseconds of the stages that took any.
 std::string stages(const emtr_result& r) {
   const std::pair<const char*, double> all[] = {
-      {"frame", r.seconds_frame},           {"densities", r.seconds_densities},
+      {"frame", r.seconds_normalization},           {"densities", r.seconds_downsampling},
       {"features", r.seconds_features},     {"matching", r.seconds_matching},
       {"seeds", r.seconds_seeds},           {"evolution", r.seconds_evolution},
-      {"candidates", r.seconds_candidates}, {"escalation", r.seconds_escalation},
+      {"candidates", r.seconds_candidates}, {"escalation", r.seconds_fallback_search},
       {"refinement", r.seconds_refinement}, {"verdict", r.seconds_verdict}};
   std::string text;
   for (const auto& [name, seconds] : all) {
@@ -89,7 +89,7 @@ void Talk::registered(const emtr_result& r, const emtr_settings& settings) const
   VALUE("%s", ms(r.seconds_total).c_str());
   INFO(" : ");
   VALUE("%zu", r.iterations);
-  INFO(" iterations%s%s]\n", r.escalated ? ", escalated" : "", r.refined ? ", refined" : "");
+  INFO(" iterations%s%s]\n", r.used_fallback_search ? ", used_fallback_search" : "", r.refined ? ", refined" : "");
   INFO("  ms: %s\n", stages(r).c_str());
   counts("source", r.points_source, r.dropped_source, r.sparse_source, r.dense_source,
          settings.has_viewpoint_source ? settings.viewpoint_source : nullptr);
@@ -101,7 +101,7 @@ void Talk::registered(const emtr_result& r, const emtr_settings& settings) const
   if (r.seeds) INFO("%zu %s, ", r.seeds, r.seeds == 1 ? "seed" : "seeds");
   if (r.candidates) INFO("%zu %s, ", r.candidates, r.candidates == 1 ? "candidate" : "candidates");
   INFO("%" PRIu64 " look-ups, %d threads, %s\n",
-       r.lookups_evaluation + r.lookups_switch + r.lookups_complement, r.threads, r.kernel);
+       r.queries_evaluation + r.queries_switch + r.queries_complement, r.threads, r.kernel);
   INFO("  fitness ");
   VALUE("%.4f", r.fitness);
   INFO(" (0 is best), inliers ");
@@ -124,7 +124,7 @@ void Talk::registered(const emtr_result& r, const emtr_settings& settings) const
 void Talk::standing(const emtr_result& r) const {
   if (!r.candidates) {  // the swarm alone
     INFO(", gap to the next best pose ");
-    VALUE("%.4f\n", r.mode_gap);
+    VALUE("%.4f\n", r.fitness_gap);
     return;
   }
   INFO("\n  surfaces: fit ");

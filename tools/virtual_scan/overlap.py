@@ -25,7 +25,7 @@ def _nearest(queries: Array, points: Array, rank: int, chunk: int = 64) -> Array
 
 
 def resolution(points: Array, sample: int = 600) -> float:
-    """Mean distance of a point (N, 3) to its nearest neighbour, in the points' unit."""
+    """Mean distance of a point (N, 3) to its nearest neighbor, in the points' unit."""
     return float(_nearest(_every(points, sample), points, rank=1).mean())
 
 

@@ -77,7 +77,7 @@ EMTR_API const char* emtr_kernel_name(void);
 
 /* Each field has the name that the shell and Python use. But for what is known beforehand, at
  * the end, lengths are never in the user's unit: they are multiples of a leaf, of the
- * resolution, or of the normalised frame, in which both clouds are centred and the larger one
+ * resolution, or of the normalized frame, in which both clouds are centred and the larger one
  * has radius 1.
  * emtr_setting_describe() gives unit, range, default and meaning of each. */
 typedef struct emtr_settings {
@@ -111,7 +111,7 @@ typedef struct emtr_settings {
   /* task alpha */
   double scale_sparse;      /* c of the S stage, sparse leaves */
   double scale_dense;       /* c of the D stage, dense leaves */
-  double translation_bound; /* half the side of the box, normalised frame */
+  double translation_bound; /* half the side of the box, normalized frame */
 
   /* swarm */
   int32_t population; /* particles of each task */
@@ -142,14 +142,14 @@ typedef struct emtr_settings {
   double lambda_beta_end;
   int32_t complement;            /* 0: alpha keeps its own translation (ablation) */
   int32_t complement_iterations; /* MaxIt_KC */
-  double complement_scale_start; /* d, normalised frame */
+  double complement_scale_start; /* d, normalized frame */
   double complement_scale_end;
 
   /* sparse to dense */
   int32_t sparse_to_dense; /* 0: the D stage throughout (ablation) */
   double switch_fraction;  /* delta */
 
-  /* nearest neighbours of the fitness: 0 grid, 1 pcl kd-tree, 2 brute force; same bits */
+  /* nearest neighbors of the fitness: 0 grid, 1 pcl kd-tree, 2 brute force; same bits */
   int32_t neighbors;
 
   /* candidates: seeds and modes of the swarm, polished and ranked on the surfaces */
@@ -157,20 +157,20 @@ typedef struct emtr_settings {
   int32_t free_space; /* 0: points in front of what the other scan saw cost nothing */
 
   /* escalation: more feature points, both signs of the normals, more candidates */
-  int32_t escalation; /* 0 off, 1 when the confidence is below escalation_confidence, 2 always */
-  double escalation_confidence;
-  int32_t escalation_points; /* of both clouds together */
-  int32_t escalation_correspondences;
-  int32_t escalation_seeds;
-  int32_t escalation_candidates;
+  int32_t escalation; /* 0 off, 1 when the confidence is below fallback_confidence, 2 always */
+  double fallback_confidence;
+  int32_t fallback_points; /* of both clouds together */
+  int32_t fallback_correspondences;
+  int32_t fallback_seeds;
+  int32_t fallback_candidates;
 
   /* refinement of the answer on fine clouds */
   int32_t refine;     /* 0: off */
-  double refine_leaf; /* normalised frame */
+  double refine_leaf; /* normalized frame */
 
   /* verdict */
   double maximum_fitness;
-  double minimum_mode_gap;
+  double minimum_fitness_gap;
   double minimum_confidence;
 
   /* a pose to try as one hypothesis among the particles (not a starting point that the
@@ -343,7 +343,7 @@ typedef struct emtr_result {
   double fitness;             /* mean of rho over both dense clouds, 0 (best) to 1 */
   double inlier_ratio_source; /* share of dense source points within c of the target */
   double inlier_ratio_target;
-  double mode_gap; /* fitness of the best clearly different pose (over 10 degrees
+  double fitness_gap; /* fitness of the best clearly different pose (over 10 degrees
                       or 0.15 radii away) minus that of this one */
 
   /* quality, at the fine clouds: both thinned by `leaf_fine`. Up to 5000 points of each cloud, as
@@ -370,22 +370,22 @@ typedef struct emtr_result {
   size_t tims;        /* formed, max_tims at most, of which */
   size_t tims_pruned; /* can be no inlier of any rotation and need no work */
 
-  /* nearest neighbour look-ups, the paper's cost */
-  uint64_t lookups_evaluation; /* of the particles */
-  uint64_t lookups_switch;     /* of the pbests, evaluated again at the switch */
-  uint64_t lookups_complement; /* of Algorithm 2 */
+  /* nearest neighbor look-ups, the paper's cost */
+  uint64_t queries_evaluation; /* of the particles */
+  uint64_t queries_switch;     /* of the pbests, evaluated again at the switch */
+  uint64_t queries_complement; /* of Algorithm 2 */
 
-  /* the normalised frame: p' = (p - center) / scale */
+  /* the normalized frame: p' = (p - center) / scale */
   double scale; /* user's unit */
   double center_source[3];
   double center_target[3];
-  double leaf_sparse; /* normalised frame */
+  double leaf_sparse; /* normalized frame */
   double leaf_dense;
   double leaf_fine; /* NaN when interrupted */
 
   /* wall seconds */
-  double seconds_frame;
-  double seconds_densities;
+  double seconds_normalization;
+  double seconds_downsampling;
   double seconds_features;
   double seconds_matching;
   double seconds_evolution;
@@ -412,7 +412,7 @@ typedef struct emtr_result {
   double score_gap;  /* score minus that of the best clearly different candidate */
   size_t seeds;      /* poses that consistent matches gave, at all feature densities */
   size_t candidates; /* distinct poses ranked */
-  int32_t escalated; /* 1: searched again with more feature points */
+  int32_t used_fallback_search; /* 1: searched again with more feature points */
   int32_t refined;   /* 1: polished on fine clouds */
   size_t alternative_count; /* clearly different poses, best first, at most 10 */
   const emtr_alternative* alternatives;
@@ -425,12 +425,12 @@ typedef struct emtr_result {
    * themselves to about 1: eigenvalues of the Hessian, rotations measured at the surfaces' radius.
    * NaN when it was not refined */
   double hold[6];
-  double hold_directions[36]; /* unit vectors, one a row: rotation at that radius, then shift */
-  int32_t free_directions;    /* how many are not held; -1 when it was not refined */
+  double hessian_eigenvectors[36]; /* unit vectors, one a row: rotation at that radius, then shift */
+  int32_t unconstrained_directions;    /* how many are not held; -1 when it was not refined */
 
   double seconds_seeds;
   double seconds_candidates;
-  double seconds_escalation;
+  double seconds_fallback_search;
   double seconds_refinement;
 
   size_t correspondences_found; /* before max_correspondences of them were kept */
@@ -462,25 +462,25 @@ EMTR_API emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* 
 
 /* A cloud read, measured and, when it is large, thinned: what does not depend on its partner. It
  * never changes: many registrations may use one at the same time, as source and as target. */
-typedef struct emtr_prepared emtr_prepared;
+typedef struct emtr_preprocessed emtr_preprocessed;
 
 /* Keeps nothing of the caller's memory. `name` is put before " cloud" in error messages, null for
  * none; `threads` as in the settings, without influence on the result. On an error *prepared is
  * set to null. */
-EMTR_API emtr_status emtr_prepare(const emtr_cloud* cloud, const char* name, int32_t threads,
-                                  emtr_prepared** prepared);
-EMTR_API void emtr_prepared_free(emtr_prepared* prepared);
+EMTR_API emtr_status emtr_preprocess(const emtr_cloud* cloud, const char* name, int32_t threads,
+                                  emtr_preprocessed** preprocessed);
+EMTR_API void emtr_preprocessed_free(emtr_preprocessed* preprocessed);
 
 /* As emtr_register(), and keeps what it makes ready: a cloud whose *kept is not null is not read,
  * that one stands for it; else *kept receives what was prepared. Either pointer may be null, as
  * the cloud of one that is kept. What was prepared by the time of an error or a stop is kept too.
  */
-EMTR_API emtr_status emtr_register_kept(const emtr_cloud* source, emtr_prepared** kept_source,
-                                        const emtr_cloud* target, emtr_prepared** kept_target,
+EMTR_API emtr_status emtr_register_cached(const emtr_cloud* source, emtr_preprocessed** cached_source,
+                                        const emtr_cloud* target, emtr_preprocessed** cached_target,
                                         const emtr_settings* settings, emtr_progress_fn progress,
                                         void* user, emtr_result** result);
 
-typedef struct emtr_prepared_info {
+typedef struct emtr_preprocessed_info {
   size_t points;    /* finite */
   size_t dropped;   /* with NaN or infinity */
   size_t kept;      /* points left by the thinning of a large cloud, else as many as `points` */
@@ -489,24 +489,24 @@ typedef struct emtr_prepared_info {
   int32_t normals;  /* 1: it came with normals */
   size_t described; /* points with features; of more than 200 000, those left by a thinning */
   size_t feature_dimension;
-} emtr_prepared_info;
+} emtr_preprocessed_info;
 
-EMTR_API emtr_status emtr_prepared_describe(const emtr_prepared* prepared, emtr_prepared_info* info,
+EMTR_API emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed, emtr_preprocessed_info* info,
                                             size_t size);
 
-/* As emtr_register(), to the same bits. `seconds_frame` is without the preparation. */
-EMTR_API emtr_status emtr_register_prepared(const emtr_prepared* source,
-                                            const emtr_prepared* target,
+/* As emtr_register(), to the same bits. `seconds_normalization` is without the preparation. */
+EMTR_API emtr_status emtr_register_preprocessed(const emtr_preprocessed* source,
+                                            const emtr_preprocessed* target,
                                             const emtr_settings* settings,
                                             emtr_progress_fn progress, void* user,
                                             emtr_result** result);
 
 /* ---- stage by stage ----------------------------------------------------------------- */
 
-/* A pair of clouds made ready: normalised, thinned, described, matched. For those who
+/* A pair of clouds made ready: normalized, thinned, described, matched. For those who
  * bring their own optimiser. A particle of task alpha is (theta1, theta2, theta3, tx, ty,
  * tz), one of task beta (theta1, theta2, theta3): radians, R = Rz(theta1) Ry(theta2)
- * Rx(theta3), any real angle; t in the normalised frame. */
+ * Rx(theta3), any real angle; t in the normalized frame. */
 typedef struct emtr_problem emtr_problem;
 
 /* Keeps nothing of the caller's memory. On an error *problem is set to null. The time limit does
@@ -514,8 +514,8 @@ typedef struct emtr_problem emtr_problem;
 EMTR_API emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
                                          const emtr_settings* settings, emtr_problem** problem);
 /* Of prepared clouds, which may be freed before the problem. */
-EMTR_API emtr_status emtr_problem_create_prepared(const emtr_prepared* source,
-                                                  const emtr_prepared* target,
+EMTR_API emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* source,
+                                                  const emtr_preprocessed* target,
                                                   const emtr_settings* settings,
                                                   emtr_problem** problem);
 EMTR_API void emtr_problem_free(emtr_problem* problem);
@@ -535,7 +535,7 @@ EMTR_API emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage 
 EMTR_API emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particles,
                                              size_t count, double* fitness);
 
-/* Algorithm 2: the translation (normalised frame) that completes a rotation, or, where priors are
+/* Algorithm 2: the translation (normalized frame) that completes a rotation, or, where priors are
  * set, the nearest rotation that they admit, to a pose that they admit. */
 EMTR_API emtr_status emtr_complement(emtr_problem* problem, const double angles[3],
                                      double translation[3]);
@@ -549,13 +549,13 @@ EMTR_API emtr_status emtr_transformation_to_particle(const emtr_problem* problem
                                                      double particle[6]);
 
 /* Look-ups of task alpha's evaluations and of the complement on this problem so far. */
-EMTR_API uint64_t emtr_problem_lookups(const emtr_problem* problem);
+EMTR_API uint64_t emtr_problem_queries(const emtr_problem* problem);
 
 typedef struct emtr_problem_info {
   double scale; /* user's unit */
   double center_source[3];
   double center_target[3];
-  double leaf_sparse; /* normalised frame, as all below */
+  double leaf_sparse; /* normalized frame, as all below */
   double leaf_dense;
   double c_sparse; /* scale of the M-estimator in either stage */
   double c_dense;
@@ -568,7 +568,7 @@ EMTR_API emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_pro
                                            size_t size);
 
 typedef enum emtr_array {
-  EMTR_SOURCE_SPARSE = 0, /* float32 (n, 3), normalised frame, as all clouds below */
+  EMTR_SOURCE_SPARSE = 0, /* float32 (n, 3), normalized frame, as all clouds below */
   EMTR_TARGET_SPARSE = 1,
   EMTR_SOURCE_DENSE = 2,
   EMTR_TARGET_DENSE = 3,

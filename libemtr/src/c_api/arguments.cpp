@@ -1,4 +1,4 @@
-#include "arguments.h"
+#include "c_api/arguments.h"
 
 namespace emtr {
 

@@ -5,9 +5,9 @@
 #include <cstring>
 #include <string>
 
-#include "../error.h"
-#include "../rigid.h"
-#include "../settings.h"
+#include "util/error.h"
+#include "geometry/rigid.h"
+#include "settings/settings.h"
 
 namespace emtr {
 

@@ -1,4 +1,4 @@
-#include "guarded.h"
+#include "c_api/guarded.h"
 
 #include <cfenv>
 #include <new>
@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "../error.h"
+#include "util/error.h"
 
 namespace emtr {
 namespace {
@@ -66,14 +66,14 @@ emtr_status guarded(void (*call)(const void* body), const void* body) noexcept {
   const DefaultArithmetic arithmetic;
   try {
     // Not the watch of the run that this may be called back from.
-    Watch watch(interrupt_function());
-    const Watched watched(interrupt.ask ? &watch : nullptr);
+    CancellationToken watch(interrupt_function());
+    const CancellationScope watched(interrupt.ask ? &watch : nullptr);
     call(body);
     return EMTR_OK;
   } catch (const Error& error) {
     tell("", error.what());
     return error.status();
-  } catch (const Stopped&) {
+  } catch (const Cancelled&) {
     tell("", "interrupted");
     return EMTR_ERROR_INTERRUPTED;
   } catch (const std::bad_alloc&) {

@@ -2,7 +2,7 @@
 
 #include <emtr/emtr.h>
 
-#include "../watch.h"
+#include "util/cancellation.h"
 
 namespace emtr {
 

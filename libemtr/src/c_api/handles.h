@@ -2,9 +2,9 @@
 
 #include <emtr/emtr.h>
 
-#include "../problem.h"
-#include "../problem_arrays.h"
-#include "arguments.h"
+#include "pipeline/problem.h"
+#include "c_api/problem_arrays.h"
+#include "c_api/arguments.h"
 
 // What the opaque types of the C API are.
 
@@ -13,8 +13,8 @@ struct emtr_problem : emtr::Problem {
   emtr::ProblemArrays arrays{*this};
 };
 
-struct emtr_prepared {
-  emtr::PreparedCloudPtr cloud;
+struct emtr_preprocessed {
+  emtr::PreprocessedCloudPtr cloud;
 };
 
 namespace emtr {

@@ -1,9 +1,9 @@
 // Of statuses, reasons, the version and the kernel.
 #include <emtr/emtr.h>
 
-#include "../enum_number.h"
-#include "../kernels/kernels.h"
-#include "guarded.h"
+#include "util/enum_number.h"
+#include "kernels/kernels.h"
+#include "c_api/guarded.h"
 
 #define EMTR_TEXT_(x) #x
 #define EMTR_TEXT(x) EMTR_TEXT_(x)

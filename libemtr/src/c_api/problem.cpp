@@ -1,4 +1,4 @@
-#include "../problem.h"
+#include "pipeline/problem.h"
 
 #include <emtr/emtr.h>
 
@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "../enum_number.h"
-#include "arguments.h"
-#include "guarded.h"
-#include "handles.h"
+#include "util/enum_number.h"
+#include "c_api/arguments.h"
+#include "c_api/guarded.h"
+#include "c_api/handles.h"
 
 using emtr::checked;
 using emtr::guarded;
@@ -22,7 +22,7 @@ template <class Cloud>
 emtr_problem* made(const Cloud& source, const Cloud& target, const emtr_settings* settings) {
   auto problem = std::make_unique<emtr_problem>(source, target, emtr::settings_or_preset(settings),
                                                 emtr::interrupt_function());
-  if (problem->stopped()) throw emtr::Stopped();
+  if (problem->stopped()) throw emtr::Cancelled();
   return problem.release();
 }
 
@@ -30,7 +30,7 @@ emtr_problem* made(const Cloud& source, const Cloud& target, const emtr_settings
 
 extern "C" {
 
-emtr_status emtr_problem_create_prepared(const emtr_prepared* source, const emtr_prepared* target,
+emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* source, const emtr_preprocessed* target,
                                          const emtr_settings* settings, emtr_problem** problem) {
   return guarded([&] {
     required(problem, "problem") = nullptr;
@@ -56,8 +56,8 @@ emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress,
   });
 }
 
-uint64_t emtr_problem_lookups(const emtr_problem* problem) {
-  return problem ? problem->lookups.load() : 0;
+uint64_t emtr_problem_queries(const emtr_problem* problem) {
+  return problem ? problem->queries.load() : 0;
 }
 
 emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info,
@@ -68,8 +68,8 @@ emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info
     out.scale = p.frame.scale;
     std::copy_n(p.frame.center_source, 3, out.center_source);
     std::copy_n(p.frame.center_target, 3, out.center_target);
-    out.leaf_sparse = p.densities.leaf_sparse;
-    out.leaf_dense = p.densities.leaf_dense;
+    out.leaf_sparse = p.downsampled.leaf_sparse;
+    out.leaf_dense = p.downsampled.leaf_dense;
     out.c_sparse = p.alpha->scale(EMTR_STAGE_SPARSE);
     out.c_dense = p.alpha->scale(EMTR_STAGE_DENSE);
     out.tau = p.tau;

@@ -3,10 +3,10 @@
 #include <memory>
 #include <utility>
 
-#include "../result.h"
-#include "arguments.h"
-#include "guarded.h"
-#include "handles.h"
+#include "pipeline/result.h"
+#include "c_api/arguments.h"
+#include "c_api/guarded.h"
+#include "c_api/handles.h"
 
 using emtr::guarded;
 using emtr::required;
@@ -15,19 +15,19 @@ using emtr::settings_or_preset;
 namespace {
 
 emtr_result* run(const emtr::Settings& settings, emtr_progress_fn progress, void* user,
-                 const emtr::Problem::Normalise& normalised) {
-  emtr::Watch watch(emtr::progress_function(progress, user), settings.time_limit);
-  const emtr::Problem problem(normalised, settings, watch);
+                 const emtr::Problem::Normalize& normalized) {
+  emtr::CancellationToken watch(emtr::progress_function(progress, user), settings.time_limit);
+  const emtr::Problem problem(normalized, settings, watch);
   return problem.solve(watch).release();
 }
 
 /// What is kept of a cloud, or is from now on.
-emtr::PreparedCloudPtr prepared(const emtr_cloud* cloud, emtr_prepared** kept, const char* name,
+emtr::PreprocessedCloudPtr preprocessed(const emtr_cloud* cloud, emtr_preprocessed** kept, const char* name,
                                 const emtr::Settings& settings) {
   if (kept && *kept) return (*kept)->cloud;
-  auto made = std::make_shared<const emtr::PreparedCloud>(emtr::kept(*cloud, settings), name,
+  auto made = std::make_shared<const emtr::PreprocessedCloud>(emtr::kept(*cloud, settings), name,
                                                           emtr::thread_count(settings));
-  if (kept) *kept = new emtr_prepared{made};
+  if (kept) *kept = new emtr_preprocessed{made};
   return made;
 }
 
@@ -46,13 +46,13 @@ emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
     required(target, "target");
     const emtr::Settings chosen = settings_or_preset(settings);
     *result = run(chosen, progress, user, [&] {
-      return emtr::normalise(emtr::kept(*source, chosen), emtr::kept(*target, chosen),
+      return emtr::normalize(emtr::kept(*source, chosen), emtr::kept(*target, chosen),
                              emtr::thread_count(chosen));
     });
   });
 }
 
-emtr_status emtr_register_prepared(const emtr_prepared* source, const emtr_prepared* target,
+emtr_status emtr_register_preprocessed(const emtr_preprocessed* source, const emtr_preprocessed* target,
                                    const emtr_settings* settings, emtr_progress_fn progress,
                                    void* user, emtr_result** result) {
   return guarded([&] {
@@ -60,22 +60,22 @@ emtr_status emtr_register_prepared(const emtr_prepared* source, const emtr_prepa
     required(source, "source");
     required(target, "target");
     *result = run(settings_or_preset(settings), progress, user,
-                  [&] { return emtr::normalise(source->cloud, target->cloud); });
+                  [&] { return emtr::normalize(source->cloud, target->cloud); });
   });
 }
 
-emtr_status emtr_register_kept(const emtr_cloud* source, emtr_prepared** kept_source,
-                               const emtr_cloud* target, emtr_prepared** kept_target,
+emtr_status emtr_register_cached(const emtr_cloud* source, emtr_preprocessed** cached_source,
+                               const emtr_cloud* target, emtr_preprocessed** cached_target,
                                const emtr_settings* settings, emtr_progress_fn progress, void* user,
                                emtr_result** result) {
   return guarded([&] {
     required(result, "result") = nullptr;
-    if (!kept_source || !*kept_source) required(source, "source");
-    if (!kept_target || !*kept_target) required(target, "target");
+    if (!cached_source || !*cached_source) required(source, "source");
+    if (!cached_target || !*cached_target) required(target, "target");
     const emtr::Settings chosen = settings_or_preset(settings);
     *result = run(chosen, progress, user, [&] {
-      auto from = prepared(source, kept_source, "source", chosen);
-      return emtr::normalise(std::move(from), prepared(target, kept_target, "target", chosen));
+      auto from = preprocessed(source, cached_source, "source", chosen);
+      return emtr::normalize(std::move(from), preprocessed(target, cached_target, "target", chosen));
     });
   });
 }

@@ -1,9 +1,9 @@
-#include "../verdict/residuals.h"
+#include "verdict/residuals.h"
 
 #include <emtr/emtr.h>
 
-#include "arguments.h"
-#include "guarded.h"
+#include "c_api/arguments.h"
+#include "c_api/guarded.h"
 
 using emtr::required;
 

@@ -1,11 +1,11 @@
-#include "../settings.h"
+#include "settings/settings.h"
 
 #include <emtr/emtr.h>
 
 #include <string>
 
-#include "arguments.h"
-#include "guarded.h"
+#include "c_api/arguments.h"
+#include "c_api/guarded.h"
 
 using emtr::checked;
 using emtr::guarded;

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "../enum_number.h"
-#include "../tasks/euler.h"
-#include "../team.h"
-#include "arguments.h"
-#include "guarded.h"
-#include "handles.h"
+#include "util/enum_number.h"
+#include "geometry/euler.h"
+#include "util/thread_team.h"
+#include "c_api/arguments.h"
+#include "c_api/guarded.h"
+#include "c_api/handles.h"
 
 using emtr::checked;
 using emtr::guarded;
@@ -34,7 +34,7 @@ void evaluate_all(const emtr_problem& problem, const double* particles, std::siz
                         "particles: row " + std::to_string(i) + ": not finite or beyond 1e6");
   const int threads = emtr::thread_count(problem.settings);
   std::vector<emtr::TaskAlpha::Scratch> scratch(static_cast<std::size_t>(threads));
-  emtr::Team::with(threads, [&](emtr::Team& team) {
+  emtr::ThreadTeam::with(threads, [&](emtr::ThreadTeam& team) {
     team.parallel(n, [&](std::size_t i, std::size_t thread) {
       fitness[i] = score(particles + genes * i, scratch[thread]);
     });
@@ -56,7 +56,7 @@ emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
                  [&](const double* particle, emtr::TaskAlpha::Scratch& scratch) {
                    return p.alpha->evaluate(stage, emtr::decode(particle), scratch);
                  });
-    p.lookups += count * p.alpha->lookups(stage);
+    p.queries += count * p.alpha->queries(stage);
   });
 }
 
@@ -80,7 +80,7 @@ emtr_status emtr_complement(emtr_problem* problem, const double angles[3], doubl
     require_near(&required(angles, "angles"), 3, "angles");
     emtr::euler_to_rotation(angles, R);
     p.complement->translation(R, &required(translation, "translation"), p.prior.get());
-    p.lookups += p.complement->lookups();
+    p.queries += p.complement->queries();
   });
 }
 
@@ -97,7 +97,7 @@ emtr_status emtr_transformation_to_particle(const emtr_problem* problem, const d
                                             double particle[6]) {
   return guarded([&] {
     const emtr::Rigid pose =
-        checked(problem).frame.to_normalised(emtr::given_rigid(&required(T, "transformation")));
+        checked(problem).frame.to_normalized(emtr::given_rigid(&required(T, "transformation")));
     emtr::encode(pose, &required(particle, "particle"));
   });
 }

@@ -1,11 +1,11 @@
-#include "engine.h"
+#include "evolution/engine.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "../team.h"
-#include "knowledge_transfer.h"
-#include "restarts.h"
+#include "util/thread_team.h"
+#include "evolution/knowledge_transfer.h"
+#include "evolution/restarts.h"
 
 namespace emtr {
 namespace {
@@ -19,7 +19,7 @@ RotationSteps steps(const Settings& settings, const SearchSpace& space, bool see
 class Engine {
  public:
   Engine(const TaskAlpha& alpha, const TaskBeta& beta, const KnowledgeComplement& complement,
-         const Settings& settings, const Prior* prior, bool seeded, std::size_t threads, Team& team)
+         const Settings& settings, const Prior* prior, bool seeded, std::size_t threads, ThreadTeam& team)
       : team_(team),
         alpha_(alpha),
         beta_(beta),
@@ -59,12 +59,12 @@ class Engine {
         restarts_.after(it, poses_, rotations_);
         out_.stopped = on_iteration(it + 1, poses_.gbest_fitness(), rotations_.gbest_fitness());
       }
-    } catch (const Stopped&) {  // in the midst of an iteration: the pbests are those before it
+    } catch (const Cancelled&) {  // in the midst of an iteration: the pbests are those before it
       out_.stopped = true;
     }
     if (!out_.history_alpha.empty()) remember();
     out_.stage = stage_;
-    out_.lookups_complement = transfer_.lookups();
+    out_.queries_complement = transfer_.queries();
     return std::move(out_);
   }
 
@@ -82,7 +82,7 @@ class Engine {
         rotations_.fitness()[i - n] = beta_.evaluate(R);
       }
     });
-    out_.lookups_evaluation += n * alpha_.lookups(stage_);
+    out_.queries_evaluation += n * alpha_.queries(stage_);
   }
 
   void remember() {
@@ -109,7 +109,7 @@ class Engine {
     stage_ = EMTR_STAGE_DENSE;
     poses_.set_best_fitness(fitness);
     restarts_.objective_changed();
-    out_.lookups_switch += (n + left.size()) * alpha_.lookups(stage_);
+    out_.queries_switch += (n + left.size()) * alpha_.queries(stage_);
   }
 
   void move(int it) {
@@ -126,7 +126,7 @@ class Engine {
     rotations_.move(it, inertia, guides.beta.data());
   }
 
-  Team& team_;
+  ThreadTeam& team_;
   const TaskAlpha& alpha_;
   const TaskBeta& beta_;
   const Settings settings_;
@@ -147,7 +147,7 @@ Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const Starts& starts, const OnIteration& on_iteration, const Prior* prior) {
   Evolution out;
   const int threads = thread_count(settings);
-  Team::with(threads, [&](Team& team) {
+  ThreadTeam::with(threads, [&](ThreadTeam& team) {
     Engine engine(alpha, beta, complement, settings, prior, !starts.seeds.empty(),
                   static_cast<std::size_t>(threads), team);
     engine.place(starts);

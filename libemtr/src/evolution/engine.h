@@ -4,17 +4,17 @@
 #include <functional>
 #include <vector>
 
-#include "../tasks/task_alpha.h"
-#include "../tasks/task_beta.h"
-#include "knowledge_complement.h"
-#include "search_space.h"
-#include "swarm.h"
+#include "tasks/task_alpha.h"
+#include "tasks/task_beta.h"
+#include "evolution/knowledge_complement.h"
+#include "evolution/search_space.h"
+#include "evolution/swarm.h"
 
 namespace emtr {
 
 /// A pose that some particle of task alpha remembers.
 struct Hypothesis {
-  Rigid pose;      ///< normalised frame
+  Rigid pose;      ///< normalized frame
   double fitness;  ///< task alpha's, at `stage` of the evolution
 };
 
@@ -32,7 +32,7 @@ struct Evolution {
   emtr_stage stage = EMTR_STAGE_SPARSE;
   bool stopped = false;
   std::vector<double> history_alpha, history_beta;  ///< gbest's fitness after each iteration
-  std::uint64_t lookups_evaluation = 0, lookups_switch = 0, lookups_complement = 0;
+  std::uint64_t queries_evaluation = 0, queries_switch = 0, queries_complement = 0;
 };
 
 /// Called after each iteration with the number done and both gbests' fitness; true stops.

@@ -1,12 +1,12 @@
-#include "knowledge_complement.h"
+#include "evolution/knowledge_complement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "../tasks/m_estimator.h"
-#include "../tasks/transform.h"
-#include "../watch.h"
+#include "tasks/m_estimator.h"
+#include "geometry/transform.h"
+#include "util/cancellation.h"
 
 namespace emtr {
 
@@ -30,7 +30,7 @@ void KnowledgeComplement::translation(const double* R, double t[3], const Prior*
   const int iterations = settings_.complement_iterations;
   const double shrink = settings_.complement_scale_end / settings_.complement_scale_start;
   for (int k = 0; k < iterations; ++k) {
-    poll();
+    check_cancelled();
     const double progress = iterations > 1 ? static_cast<double>(k) / (iterations - 1) : 0;
     const double scale = settings_.complement_scale_start * std::pow(shrink, progress);
     transform(kernels_, source_, pose, x.data(), y.data(), z.data());
@@ -53,7 +53,7 @@ void KnowledgeComplement::translation(const double* R, double t[3], const Prior*
   std::copy_n(pose.t, 3, t);
 }
 
-std::uint64_t KnowledgeComplement::lookups() const {
+std::uint64_t KnowledgeComplement::queries() const {
   return source_.size() * static_cast<std::uint64_t>(settings_.complement_iterations);
 }
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <memory>
 
-#include "../cloud.h"
-#include "../neighbors/neighbors.h"
-#include "../priors/prior.h"
-#include "../settings.h"
+#include "geometry/cloud.h"
+#include "neighbors/neighbors.h"
+#include "priors/prior.h"
+#include "settings/settings.h"
 
 namespace emtr {
 
@@ -25,7 +25,7 @@ class KnowledgeComplement {
   void translation(const double* R, double t[3], const Prior* prior) const;
 
   /// Look-ups of one call.
-  std::uint64_t lookups() const;
+  std::uint64_t queries() const;
 
  private:
   const Cloud& source_;

@@ -1,4 +1,4 @@
-#include "knowledge_transfer.h"
+#include "evolution/knowledge_transfer.h"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ KnowledgeTransfer::Guides KnowledgeTransfer::exchange(int iteration, const Swarm
     space_.rotation(b, pose.R);
     complement_.translation(pose.R, pose.t, space_.prior());
     space_.encode_translation(pose, translation_.data());
-    lookups_ += complement_.lookups();
+    queries_ += complement_.queries();
     known_ = true;
   }
 

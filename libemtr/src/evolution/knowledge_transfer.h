@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
-#include "../settings.h"
-#include "knowledge_complement.h"
-#include "search_space.h"
-#include "swarm.h"
+#include "settings/settings.h"
+#include "evolution/knowledge_complement.h"
+#include "evolution/search_space.h"
+#include "evolution/swarm.h"
 
 namespace emtr {
 
@@ -35,7 +35,7 @@ class KnowledgeTransfer {
   /// changed. Of the many angles for one rotation the nearest to the receiver's are mixed in.
   Guides exchange(int iteration, const Swarm& alpha, const Swarm& beta, bool beta_changed);
 
-  std::uint64_t lookups() const { return lookups_; }
+  std::uint64_t queries() const { return queries_; }
 
  private:
   /// The rotation of a guide: `share` of one's own, the rest of the other's.
@@ -47,7 +47,7 @@ class KnowledgeTransfer {
   bool arc_;
   bool known_ = false;
   std::array<double, 3> translation_{};
-  std::uint64_t lookups_ = 0;
+  std::uint64_t queries_ = 0;
 };
 
 }  // namespace emtr

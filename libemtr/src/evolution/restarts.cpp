@@ -1,4 +1,4 @@
-#include "restarts.h"
+#include "evolution/restarts.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "swarm.h"
+#include "evolution/swarm.h"
 
 namespace emtr {
 

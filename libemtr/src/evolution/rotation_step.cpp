@@ -1,7 +1,7 @@
-#include "rotation_step.h"
+#include "evolution/rotation_step.h"
 
-#include "../rotation_vector.h"
-#include "../tasks/euler.h"
+#include "geometry/rotation_vector.h"
+#include "geometry/euler.h"
 
 namespace emtr {
 namespace {

@@ -1,10 +1,10 @@
-#include "search_space.h"
+#include "evolution/search_space.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "../rotation_vector.h"
-#include "../tasks/euler.h"
+#include "geometry/rotation_vector.h"
+#include "geometry/euler.h"
 
 namespace emtr {
 namespace {
@@ -117,7 +117,7 @@ void SearchSpace::encode(const Rigid& pose, double* genes) const {
   } else {
     const Vector3d& axis = prior_->rotation().axis->axis;
     const Quaterniond q = quaternion(pose.R);
-    const Turn turn(q, axis);
+    const SwingTwist turn(q, axis);
     genes[0] = angle_.middle + angle_.offset(turn.angle);
     if (angles() == 3) {
       const Vector3d tilt = logarithm(q * Eigen::AngleAxisd(-turn.angle, axis));

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "../priors/prior.h"
-#include "swarm.h"
+#include "priors/prior.h"
+#include "evolution/swarm.h"
 
 namespace emtr {
 

@@ -1,4 +1,4 @@
-#include "swarm.h"
+#include "evolution/swarm.h"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "../settings.h"
-#include "philox.h"
-#include "rotation_step.h"
+#include "settings/settings.h"
+#include "evolution/philox.h"
+#include "evolution/rotation_step.h"
 
 namespace emtr {
 

@@ -1,8 +1,8 @@
-#include "fpfh.h"
+#include "features/fpfh.h"
 
 #include <algorithm>
 
-#include "fpfh_backends.h"
+#include "features/fpfh_backends.h"
 
 namespace emtr {
 

@@ -4,15 +4,15 @@
 #include <limits>
 #include <vector>
 
-#include "../cloud.h"
-#include "../settings.h"
+#include "geometry/cloud.h"
+#include "settings/settings.h"
 
 namespace emtr {
 
 constexpr int kFeatureSize = 33;  ///< bins of FPFH
 
 /// Normals (n, 3) and FPFH descriptors (n, 33) of a cloud, row-major, NaN where a point has too
-/// few neighbours for one.
+/// few neighbors for one.
 struct Features {
   std::vector<float> normals;
   std::vector<float> descriptors;
@@ -29,7 +29,7 @@ enum class FeatureBackend {
   Simd = 1  ///< the kernels: an entry of a histogram may lie on the other side of a bin's edge
 };
 
-/// Lengths in the normalised frame.
+/// Lengths in the normalized frame.
 struct FeatureDefinition {
   double normal_radius, feature_radius;        ///< the second at least as large as the first
   std::array<float, 3> viewpoint = {0, 0, 0};  ///< normals point to it; the centroid by default

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fpfh.h"
+#include "features/fpfh.h"
 
 namespace emtr {
 

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <numeric>
 
-#include "fpfh_backends.h"
-#include "neighborhood.h"
-#include "pcl_cloud.h"
+#include "features/fpfh_backends.h"
+#include "neighbors/neighborhood.h"
+#include "geometry/pcl_cloud.h"
 
 namespace emtr {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
-/// PCL's functions over one grid. Neighbours are looked up anew for each of the three steps: that
+/// PCL's functions over one grid. Neighbors are looked up anew for each of the three steps: that
 /// is a small part of the time, and all lists together could be larger than the memory.
 class Description {
  public:
@@ -33,7 +33,7 @@ class Description {
     for (Eigen::MatrixXf& histograms : histograms_) histograms.setZero(rows, kBins);
   }
 
-  Features run(Team& team) {
+  Features run(ThreadTeam& team) {
     const bool ordered = true;
     for_each_point(team, definition_.normal_radius, [this](std::size_t i, Scratch& s) {
       if (given_.size()) return take_normal(row(i));
@@ -68,7 +68,7 @@ class Description {
   };
 
   template <class Work>
-  void for_each_point(Team& team, double radius, const Work& work) {
+  void for_each_point(ThreadTeam& team, double radius, const Work& work) {
     for_each_cell(grid_, team, [&](std::size_t cell, std::size_t thread) {
       Scratch& s = scratch_[thread];
       s.neighbors.look_around(grid_, cell, radius);
@@ -102,7 +102,7 @@ class Description {
   }
 
   void keep_histogram(std::size_t at, const float* histogram) {
-    // A point alone in its neighbourhood gets an empty histogram, which would match any other.
+    // A point alone in its neighborhood gets an empty histogram, which would match any other.
     const float sum = std::accumulate(histogram, histogram + kFeatureSize, 0.0f);
     if (std::isfinite(sum) && sum > 0)
       std::copy_n(histogram, kFeatureSize, &features_.descriptors[at * kFeatureSize]);
@@ -124,7 +124,7 @@ Features describe_by_pcl(const Cloud& cloud, const FeatureDefinition& definition
                          const Cloud& normals) {
   Features out;
   Description description(cloud, definition, static_cast<std::size_t>(threads), normals);
-  Team::with(threads, [&](Team& team) { out = description.run(team); });
+  ThreadTeam::with(threads, [&](ThreadTeam& team) { out = description.run(team); });
   return out;
 }
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cell_grid.h"
-#include "fpfh_backends.h"
+#include "voxels/cell_grid.h"
+#include "features/fpfh_backends.h"
 
 namespace emtr {
 namespace {
@@ -26,7 +26,7 @@ class Description {
     if (!definition.normals_only) features_.descriptors.assign(kDescriptor * n_, kNone);
   }
 
-  Features run(Team& team) {
+  Features run(ThreadTeam& team) {
     given_.size() ? take_normals() : estimate_normals(team);
     spread_normals();
     if (definition_.normals_only) return std::move(features_);
@@ -56,7 +56,7 @@ class Description {
   }
   bool has_normal(std::size_t i) const { return normals_.x[i] == normals_.x[i]; }
 
-  void estimate_normals(Team& team) {
+  void estimate_normals(ThreadTeam& team) {
     for_each_cell(grid_, team, [this](std::size_t cell, std::size_t thread) {
       Scratch& s = scratch_[thread];
       gather(cell, definition_.normal_radius, grid_.sorted, s);
@@ -78,7 +78,7 @@ class Description {
   }
 
   void spread_normals() {
-    // Points without a normal are nobody's neighbours from here on.
+    // Points without a normal are nobody's neighbors from here on.
     oriented_ = grid_.sorted;
     for (std::size_t i = 0; i < n_; ++i) {
       float* out = &features_.normals[3 * static_cast<std::size_t>(grid_.rows[i])];
@@ -116,7 +116,7 @@ class Description {
       kernels_.weighted_histograms(s.list.points.view(), s.list.rows.data(), point(i).data(),
                                    squared(definition_.feature_radius), histograms_.data(),
                                    bins.data());
-      // A point alone in its neighbourhood gets an empty histogram, which would match any other.
+      // A point alone in its neighborhood gets an empty histogram, which would match any other.
       float sum = 0;
       for (const float bin : bins) sum += bin;
       if (std::isfinite(sum) && sum > 0)
@@ -145,7 +145,7 @@ Features describe_by_kernels(const Cloud& cloud, const FeatureDefinition& defini
                              const Kernels& kernels, int threads, const Cloud& normals) {
   Features out;
   Description description(cloud, definition, kernels, static_cast<std::size_t>(threads), normals);
-  Team::with(threads, [&](Team& team) { out = description.run(team); });
+  ThreadTeam::with(threads, [&](ThreadTeam& team) { out = description.run(team); });
   return out;
 }
 

@@ -1,14 +1,14 @@
 // All inner loops and their table, for the instruction set whose name EMTR_KERNEL is.
-#include "lanes.h"
+#include "kernels/lanes.h"
 //
-#include "consensus.inl"
-#include "descriptors.inl"
-#include "matching.inl"
-#include "nearest.inl"
-#include "sums.inl"
-#include "voxels.inl"
+#include "kernels/consensus.inl"
+#include "kernels/descriptors.inl"
+#include "kernels/matching.inl"
+#include "kernels/nearest.inl"
+#include "kernels/sums.inl"
+#include "kernels/voxels.inl"
 //
-#include "consistency.inl"
+#include "kernels/consistency.inl"
 
 namespace emtr::EMTR_KERNEL {
 

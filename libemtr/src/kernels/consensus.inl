@@ -4,7 +4,7 @@
 // R (p_k - p_j) - (q_k - q_j) = e_k - e_j. So the sum is over the pairs of a few hundred points,
 // which stay in the nearest cache, and blocks of them that lie apart need not be looked at.
 
-#include "lanes.h"
+#include "kernels/lanes.h"
 
 namespace emtr::EMTR_KERNEL {
 namespace {

@@ -1,7 +1,7 @@
-// Normals and point feature histograms over lists of neighbours. Included by each instruction set's
+// Normals and point feature histograms over lists of neighbors. Included by each instruction set's
 // file. Nothing here calls a function of the mathematics library: those differ between machines.
 
-#include "lanes.h"
+#include "kernels/lanes.h"
 
 namespace emtr::EMTR_KERNEL {
 namespace {
@@ -86,7 +86,7 @@ EMTR_INLINE void rotate(Native& pp, Native& qq, Native& pq, Native& rp, Native& 
 
 EMTR_INLINE Native greater_of(const Native& a, const Native& b) { return chosen(a < b, b, a); }
 
-/// Of kNative neighbourhoods.
+/// Of kNative neighborhoods.
 EMTR_INLINE Vector<kNative> least_direction(const float* moments, std::size_t stride) {
   const Native one = all<kNative>(1.0f), count = loaded<kNative>(moments);
   const auto mean = [&](std::size_t m) { return loaded<kNative>(moments + m * stride) / count; };
@@ -176,7 +176,7 @@ EMTR_INLINE NativeInts pair_bins(const SurfaceView& list, std::size_t i,
   near = near + inside;
 
   // The frame stands on that of the two normals that is closer to the line between the points, on
-  // the query's own when they are alike: two points with the same neighbours have the same normal
+  // the query's own when they are alike: two points with the same neighbors have the same normal
   // but for rounding, which must not choose.
   const Native length = root(squared);
   const Native along = dot(normal, d), along_other = dot(other, d), cosine = dot(normal, other);
@@ -285,7 +285,7 @@ void weighted_histograms(const PointsView& list, const std::uint32_t* rows, cons
       store<kNative, Floats>(weight + (i - begin), masked(all<kNative>(1.0f) / squared, other));
     }
     std::size_t n = 0;
-    for (std::size_t i = begin; i < end; ++i) {  // without a branch: half of them are neighbours
+    for (std::size_t i = begin; i < end; ++i) {  // without a branch: half of them are neighbors
       kept[n] = weight[i - begin];
       row[n] = rows[i];
       n += kept[n] != 0.0f;

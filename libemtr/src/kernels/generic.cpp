@@ -1,5 +1,5 @@
 #define EMTR_KERNEL generic
-#include "all.inl"
+#include "kernels/all.inl"
 
 namespace emtr {
 extern const Kernels k_generic;

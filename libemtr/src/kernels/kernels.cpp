@@ -1,10 +1,10 @@
-#include "kernels.h"
+#include "kernels/kernels.h"
 
 #include <cstdlib>
 #include <iterator>
 #include <string>
 
-#include "../error.h"
+#include "util/error.h"
 
 namespace emtr {
 

@@ -57,8 +57,8 @@ struct SurfacePoint {
   float x, y, z, nx, ny, nz;
 };
 
-/// Lists of neighbours for the descriptors are padded to a multiple of this with points so far
-/// away that they are nobody's neighbour.
+/// Lists of neighbors for the descriptors are padded to a multiple of this with points so far
+/// away that they are nobody's neighbor.
 constexpr std::size_t kListStep = 16;
 constexpr float kFarAway = 1e18f;
 
@@ -120,7 +120,7 @@ struct Kernels {
   double (*rho_sum)(const float* squared, std::size_t n, float inverse_squared_scale);
 
   /// Of the TIMs of all pairs of correspondences p, q, those with |q_jk - R p_jk|^2 <
-  /// squared_threshold are inliers; R row-major. Fastest when neighbours stand in a row.
+  /// squared_threshold are inliers; R row-major. Fastest when neighbors stand in a row.
   Consensus (*consensus)(const PointsView& p, const PointsView& q, const float* R,
                          float squared_threshold, float* room);
 
@@ -136,17 +136,17 @@ struct Kernels {
   void (*moments)(const PointsView& list, const float* query, float squared_radius, float* out,
                   std::size_t stride);
 
-  /// The direction of least spread of each of points.size neighbourhoods, turned towards the
+  /// The direction of least spread of each of points.size neighborhoods, turned towards the
   /// viewpoint; NaN of fewer than three points or where no direction is the least.
   void (*least_directions)(const float* moments, std::size_t stride, const PointsView& points,
                            const float* viewpoint, float* nx, float* ny, float* nz);
 
-  /// The simplified point feature histogram of the query among its neighbours: kDescriptorRow
+  /// The simplified point feature histogram of the query among its neighbors: kDescriptorRow
   /// floats.
   void (*pair_histograms)(const SurfaceView& list, const SurfacePoint& query, float squared_radius,
                           float* out);
 
-  /// The sum of the neighbours' histograms over squared distance, each of the three scaled to 100:
+  /// The sum of the neighbors' histograms over squared distance, each of the three scaled to 100:
   /// kDescriptor floats. The histogram of list[i] is row rows[i].
   void (*weighted_histograms)(const PointsView& list, const std::uint32_t* rows, const float* query,
                               float squared_radius, const float* histograms, float* out);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels.h"
+#include "kernels/kernels.h"
 
 // Numbers side by side, in as many registers as the instruction set needs for them. Only for the
 // files of this folder: each instruction set has a namespace of its own.

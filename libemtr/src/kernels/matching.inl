@@ -1,7 +1,7 @@
-// Nearest neighbours among descriptors, by comparing all with all. Included by each instruction
+// Nearest neighbors among descriptors, by comparing all with all. Included by each instruction
 // set's file.
 
-#include "lanes.h"
+#include "kernels/lanes.h"
 
 namespace emtr::EMTR_KERNEL {
 namespace {

@@ -1,9 +1,9 @@
-// Nearest neighbours on a candidate grid. Included by each instruction set's file.
+// Nearest neighbors on a candidate grid. Included by each instruction set's file.
 //
 // The queries whose cells list candidates are looked up without a branch, whether a cell has one
 // block of them or two, and with their buckets asked for ahead.
 
-#include "occupied.inl"
+#include "kernels/occupied.inl"
 
 namespace emtr::EMTR_KERNEL {
 namespace {

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "lanes.h"
+#include "kernels/lanes.h"
 
 #if EMTR_REGISTER == 16
 #include <immintrin.h>

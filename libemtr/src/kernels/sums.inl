@@ -1,6 +1,6 @@
 // Motion of points and the sums of both fitness functions. Included by each instruction set's file.
 
-#include "lanes.h"
+#include "kernels/lanes.h"
 
 namespace emtr::EMTR_KERNEL {
 namespace {

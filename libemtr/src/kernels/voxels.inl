@@ -1,7 +1,7 @@
-// Nearest neighbours among the points of the voxels around. Included by each instruction set's
+// Nearest neighbors among the points of the voxels around. Included by each instruction set's
 // file.
 
-#include "occupied.inl"
+#include "kernels/occupied.inl"
 
 namespace emtr::EMTR_KERNEL {
 namespace {

@@ -1,6 +1,6 @@
 #include <vector>
 
-#include "neighbors.h"
+#include "neighbors/neighbors.h"
 
 namespace emtr {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "../watch.h"
-#include "cells.h"
-#include "neighbors.h"
+#include "util/cancellation.h"
+#include "neighbors/cells.h"
+#include "neighbors/neighbors.h"
 
 namespace emtr {
 namespace {
@@ -35,7 +35,7 @@ class CandidateGrid final : public Neighbors {
       : kernels_(kernels), radius_(radius), cell_(cell) {
     do {  // outside of the border of one radius nothing is near
       const CellLayout layout =
-          lay_out_cells(cloud, radius, radius * (1 + kSlack), cell_, kMostCells);
+          make_cell_layout(cloud, radius, radius * (1 + kSlack), cell_, kMostCells);
       view_.cells = layout.view;
       cell_ = layout.cell;
       margin_ = layout.margin;
@@ -87,7 +87,7 @@ class CandidateGrid final : public Neighbors {
   bool for_each_reach(const Cloud& cloud, Visit visit) const {
     std::array<Reach, 3> r;
     for (std::size_t n = 0; n < cloud.size(); ++n) {
-      poll_each(n, 6);
+      check_cancelled_each(n, 6);
       reach(cloud.x[n], 0, r[0]);
       reach(cloud.y[n], 1, r[1]);
       reach(cloud.z[n], 2, r[2]);

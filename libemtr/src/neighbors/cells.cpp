@@ -1,4 +1,4 @@
-#include "cells.h"
+#include "neighbors/cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ constexpr std::int32_t kMostAlong = 8192;
 
 }  // namespace
 
-CellLayout lay_out_cells(const Cloud& cloud, float radius, float border, float cell,
+CellLayout make_cell_layout(const Cloud& cloud, float radius, float border, float cell,
                          double most_cells) {
   CellLayout out = {};
   const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};

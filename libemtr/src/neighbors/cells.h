@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../cloud.h"
+#include "geometry/cloud.h"
 
 namespace emtr {
 
@@ -17,7 +17,7 @@ struct CellLayout {
 
 /// Cells of the cloud's bounding box and of a border around it. The side grows from `cell` until
 /// there are at most `most_cells` of them.
-CellLayout lay_out_cells(const Cloud& cloud, float radius, float border, float cell,
+CellLayout make_cell_layout(const Cloud& cloud, float radius, float border, float cell,
                          double most_cells);
 
 /// Which cells have something: a bit each, and how many have before a group of them.

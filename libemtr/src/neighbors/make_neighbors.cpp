@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "neighbors.h"
+#include "neighbors/neighbors.h"
 
 namespace emtr {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "../cloud.h"
+#include "geometry/cloud.h"
 
 namespace emtr {
 

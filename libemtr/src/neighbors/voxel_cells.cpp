@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "../watch.h"
-#include "cells.h"
-#include "neighbors.h"
+#include "util/cancellation.h"
+#include "neighbors/cells.h"
+#include "neighbors/neighbors.h"
 
 namespace emtr {
 namespace {
@@ -20,7 +20,7 @@ class VoxelCells final : public Neighbors {
   VoxelCells(const Cloud& cloud, float radius, const Kernels& kernels) : kernels_(kernels) {
     float side = radius * (1 + 1e-3f);
     for (;;) {
-      const CellLayout layout = lay_out_cells(cloud, radius, side * 1.01f, side, kMostCells);
+      const CellLayout layout = make_cell_layout(cloud, radius, side * 1.01f, side, kMostCells);
       view_.cells = layout.view;
       // Two points closer than the radius must be in the same or in touching cells.
       const float least = radius * (1 + 4 * layout.margin);
@@ -67,7 +67,7 @@ class VoxelCells final : public Neighbors {
     const std::size_t n = cloud.size();
     std::vector<std::uint32_t> cell(n);
     for (std::size_t i = 0; i < n; ++i) {
-      poll_each(i, 12);
+      check_cancelled_each(i, 12);
       cell[i] = static_cast<std::uint32_t>(cell_of(cloud.x[i], cloud.y[i], cloud.z[i]));
       points.set(cell[i]);
     }
@@ -107,7 +107,7 @@ class VoxelCells final : public Neighbors {
     occupied_ = Occupancy(cell_count());
     std::size_t step = 0;
     points.for_each([&](std::size_t cell) {
-      poll_each(++step, 10);
+      check_cancelled_each(++step, 10);
       for_each_row(cell, [&](std::size_t first, std::size_t n) {
         for (std::size_t i = 0; i < n; ++i) occupied_.set(first + i);
       });
@@ -115,7 +115,7 @@ class VoxelCells final : public Neighbors {
     occupied_.count();
     begin_.reserve(occupied_.size() + 1);
     occupied_.for_each([&](std::size_t cell) {
-      poll_each(++step, 10);
+      check_cancelled_each(++step, 10);
       begin_.push_back(static_cast<std::uint32_t>(starts_.size()));
       std::uint32_t read = 0;  // places before this one need no more reading
       for_each_row(cell, [&](std::size_t first, std::size_t n) {

@@ -1,9 +1,9 @@
-#include "make_prior.h"
+#include "priors/make_prior.h"
 
 #include <cmath>
 #include <string>
 
-#include "../error.h"
+#include "util/error.h"
 
 namespace emtr {
 namespace {
@@ -20,7 +20,7 @@ void require(bool holds, const std::string& message) {
 }
 
 bool limits_rotation(const Settings& s) { return s.has_guess && s.guess_rotation < kAnyRotation; }
-bool limits_shift(const Settings& s) { return s.has_guess && s.guess_translation < kAnyShift; }
+bool limits_translation(const Settings& s) { return s.has_guess && s.guess_translation < kAnyTranslation; }
 
 bool finite(const double (&v)[3]) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
@@ -51,7 +51,7 @@ RotationLimits rotation_limits(const Settings& s, const Rigid& guess) {
   return out;
 }
 
-/// In the normalised frame. No pose in sight has its origin further away than that: larger numbers
+/// In the normalized frame. No pose in sight has its origin further away than that: larger numbers
 /// say nothing, and would blur the smaller ones.
 TranslationBox translation_box(const Settings& s, const Frame& frame) {
   const auto corner = [&](const double* at) -> Vector3d {
@@ -71,7 +71,7 @@ TranslationBox translation_box(const Settings& s, const Frame& frame) {
 
 TranslationLimits translation_limits(const Settings& s, const Frame& frame, const Rigid& guess) {
   TranslationLimits out;
-  if (limits_shift(s)) out.ball = {Vector3d::Map(guess.t), s.guess_translation / frame.scale};
+  if (limits_translation(s)) out.ball = {Vector3d::Map(guess.t), s.guess_translation / frame.scale};
   if (s.has_translation_bounds) out.box = translation_box(s, frame);
   return out;
 }
@@ -86,7 +86,7 @@ Names rotation_names(const Settings& s) {
 
 Names all_names(const Settings& s) {
   Names out = rotation_names(s);
-  if (limits_shift(s)) out.push_back("'guess_translation'");
+  if (limits_translation(s)) out.push_back("'guess_translation'");
   if (s.has_translation_bounds) out.push_back("'translation_minimum' to 'translation_maximum'");
   return out;
 }
@@ -124,7 +124,7 @@ void validate_priors(const Settings& s) {
             std::string("setting '") + name + "' says nothing without '" + other + "'");
   };
   needs(s.guess_rotation < kAnyRotation, s.has_guess, "guess_rotation", "guess");
-  needs(s.guess_translation < kAnyShift, s.has_guess, "guess_translation", "guess");
+  needs(s.guess_translation < kAnyTranslation, s.has_guess, "guess_translation", "guess");
   needs(s.axis_tilt > 0, s.has_axis, "axis_tilt", "axis");
   needs(s.axis_angle_minimum != -180, s.has_axis, "axis_angle_minimum", "axis");
   needs(s.axis_angle_maximum != 180, s.has_axis, "axis_angle_maximum", "axis");
@@ -145,8 +145,8 @@ void validate_priors(const Settings& s) {
                 "xyz"[i] + " is the larger one");
 }
 
-Rigid normalised_guess(const Settings& settings, const Frame& frame) {
-  Rigid pose = frame.to_normalised(from_matrix(settings.guess));
+Rigid normalized_guess(const Settings& settings, const Frame& frame) {
+  Rigid pose = frame.to_normalized(from_matrix(settings.guess));
   require(is_near(pose.t, 3), "setting 'guess' moves the source a million radii past the target");
   // As people write matrices down, it is a rotation to three digits: the results are to all.
   Eigen::Map<Rotation>(pose.R) = rotation_of(pose).toRotationMatrix();
@@ -154,7 +154,7 @@ Rigid normalised_guess(const Settings& settings, const Frame& frame) {
 }
 
 PriorPtr make_prior(const Settings& s, const Frame& frame) {
-  const Rigid guess = s.has_guess ? normalised_guess(s, frame) : Rigid();
+  const Rigid guess = s.has_guess ? normalized_guess(s, frame) : Rigid();
   RotationLimits rotation = rotation_limits(s, guess);
   const TranslationLimits translation = translation_limits(s, frame, guess);
   if (!rotation.any() && !translation.any()) return nullptr;

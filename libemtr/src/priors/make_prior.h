@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../frame/frame.h"
-#include "../settings.h"
-#include "prior.h"
+#include "preprocessing/normalization.h"
+#include "settings/settings.h"
+#include "priors/prior.h"
 
 namespace emtr {
 
@@ -14,7 +14,7 @@ void validate_priors(const Settings& settings);
 /// the settings, when it is empty as far as can be told: no pose was found in it.
 PriorPtr make_prior(const Settings& settings, const Frame& frame);
 
-/// The caller's guess in the normalised frame. Throws Error when it is out of sight.
-Rigid normalised_guess(const Settings& settings, const Frame& frame);
+/// The caller's guess in the normalized frame. Throws Error when it is out of sight.
+Rigid normalized_guess(const Settings& settings, const Frame& frame);
 
 }  // namespace emtr

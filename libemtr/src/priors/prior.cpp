@@ -1,10 +1,10 @@
-#include "prior.h"
+#include "priors/prior.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "../candidates/modes.h"
-#include "../watch.h"
+#include "geometry/pose_distance.h"
+#include "util/cancellation.h"
 
 namespace emtr {
 namespace {
@@ -16,7 +16,7 @@ using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 constexpr int kSteps = 500;
 /// Further from the admissible poses a seed is of another answer; nearer, the polish can find the
 /// way to what the seed meant.
-constexpr Nearness kReach = {20 * 3.14159265358979323846 / 180, 0.3};
+constexpr PoseDistance kReach = {20 * 3.14159265358979323846 / 180, 0.3};
 
 Eigen::Matrix3d rotation_of(const Rigid& pose) { return Eigen::Map<const Rotation>(pose.R); }
 
@@ -80,7 +80,7 @@ std::vector<Rigid> admissible(const std::vector<Rigid>& poses, const Prior* prio
   if (!prior) return poses;
   std::vector<Rigid> out;
   for (const Rigid& pose : poses) {
-    poll();
+    check_cancelled();
     const Rigid inside = prior->project(pose);
     if (within(pose, inside, kReach)) out.push_back(inside);
   }

@@ -3,13 +3,13 @@
 #include <memory>
 #include <vector>
 
-#include "../rigid.h"
-#include "rotation_limits.h"
-#include "translation_limits.h"
+#include "geometry/rigid.h"
+#include "priors/rotation_limits.h"
+#include "priors/translation_limits.h"
 
 namespace emtr {
 
-/// What is known of a pose before the search: a set of admissible poses, in the normalised frame.
+/// What is known of a pose before the search: a set of admissible poses, in the normalized frame.
 /// Never changes, so all threads may ask it.
 class Prior {
  public:

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "prior.h"
+#include "priors/prior.h"
 
 namespace emtr {
 namespace {
@@ -35,7 +35,7 @@ void add_ball(Limits& out, const RotationBall& ball, const Quaterniond& q) {
 
 void add_axis(Limits& out, const AxisLimits& limits, const Quaterniond& q) {
   const Vector3d &a = limits.axis, none = Vector3d::Zero();
-  const Turn turn(q, a);
+  const SwingTwist turn(q, a);
   if (limits.tilt < kPoint) {
     const Vector3d u = a.unitOrthogonal();
     add(out, u, none, 0, true);

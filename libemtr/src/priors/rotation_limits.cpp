@@ -1,4 +1,4 @@
-#include "rotation_limits.h"
+#include "priors/rotation_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ Quaterniond nearest(const RotationBall& ball, const Quaterniond& q) {
 ///   cos(s/2) cos(s'/2) cos((a - a')/2) + sin(s/2) sin(s'/2) u.u',
 /// largest for u' = u, the nearest angle, and then tan(s'/2) = tan(s/2) / cos((a - a')/2).
 Quaterniond nearest(const AxisLimits& limits, const Quaterniond& q) {
-  Turn turn(q, limits.axis);
+  SwingTwist turn(q, limits.axis);
   const double offset = limits.angle.offset(turn.angle),
                clamped = std::clamp(offset, -limits.angle.half, limits.angle.half);
   // A turn more changes the sign of the first two of a quaternion's parts.
@@ -42,7 +42,7 @@ Quaterniond nearest(const AxisLimits& limits, const Quaterniond& q) {
 /// The angles about the axis that a ball leaves, and more of them when it may lean: the scalar
 /// product above at the most tilt that there may be. Nothing when it leaves none.
 std::optional<Arc> shadow(const RotationBall& ball, const AxisLimits& limits) {
-  const Turn center(ball.center, limits.axis);
+  const SwingTwist center(ball.center, limits.axis);
   const double upright = std::cos(center.tilt / 2);
   const double least =
       std::cos(ball.radius / 2) - std::sin(limits.tilt / 2) * std::sin(center.tilt / 2);
@@ -75,7 +75,7 @@ std::optional<Arc> Arc::intersected(const Arc& other) const {
   return found;
 }
 
-Turn::Turn(const Quaterniond& q, const Vector3d& axis) {
+SwingTwist::SwingTwist(const Quaterniond& q, const Vector3d& axis) {
   const double along = q.vec().dot(axis);
   const Vector3d rest = q.vec() - along * axis;
   const double length = rest.norm();
@@ -84,7 +84,7 @@ Turn::Turn(const Quaterniond& q, const Vector3d& axis) {
   across = length > 0 ? Vector3d(rest / length) : axis.unitOrthogonal();
 }
 
-Quaterniond Turn::about(const Vector3d& axis) const {
+Quaterniond SwingTwist::about(const Vector3d& axis) const {
   const double upright = std::cos(tilt / 2);
   Quaterniond q;
   q.w() = upright * std::cos(angle / 2);
@@ -97,7 +97,7 @@ double RotationLimits::excess(const Quaterniond& q) const {
   for (const RotationBall& ball : balls)
     most = std::max(most, angle_of(q * ball.center.conjugate()) - ball.radius);
   if (!axis) return most;
-  const Turn turn(q, axis->axis);
+  const SwingTwist turn(q, axis->axis);
   most = std::max(most, turn.tilt - axis->tilt);
   if (axis->angle.full()) return most;
   return std::max(most, std::abs(axis->angle.offset(turn.angle)) - axis->angle.half);

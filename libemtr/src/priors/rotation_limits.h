@@ -29,11 +29,11 @@ struct RotationBall {
 /// A rotation as a turn about an axis and then a tilt of that axis: with `across` a unit vector
 /// perpendicular to it, q = (cos(tilt/2) cos(angle/2), cos(tilt/2) sin(angle/2) axis +
 /// sin(tilt/2) across).
-struct Turn {
+struct SwingTwist {
   double angle, tilt;  ///< radians; tilt in [0, pi]
   Eigen::Vector3d across;
 
-  Turn(const Eigen::Quaterniond& q, const Eigen::Vector3d& axis);
+  SwingTwist(const Eigen::Quaterniond& q, const Eigen::Vector3d& axis);
   Eigen::Quaterniond about(const Eigen::Vector3d& axis) const;
 };
 

@@ -1,4 +1,4 @@
-#include "translation_limits.h"
+#include "priors/translation_limits.h"
 
 #include <algorithm>
 

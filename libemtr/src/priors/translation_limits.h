@@ -17,7 +17,7 @@ struct TranslationBox {
   Eigen::Vector3d low, high, lever;
 };
 
-/// A set of translations t, for each rotation R another one when there is a box. Normalised frame.
+/// A set of translations t, for each rotation R another one when there is a box. Normalized frame.
 class TranslationLimits {
  public:
   std::optional<TranslationBall> ball;

@@ -1,11 +1,11 @@
-#include "depth_map.h"
+#include "ranking/depth_map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "../tasks/transform.h"
+#include "geometry/transform.h"
 
 namespace emtr {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "../cloud.h"
-#include "direction_bins.h"
+#include "geometry/cloud.h"
+#include "ranking/direction_bins.h"
 
 namespace emtr {
 

@@ -1,4 +1,4 @@
-#include "direction_bins.h"
+#include "ranking/direction_bins.h"
 
 namespace emtr {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "../rigid.h"
+#include "geometry/rigid.h"
 
 namespace emtr {
 

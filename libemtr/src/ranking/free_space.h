@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "../surface.h"
-#include "depth_map.h"
-#include "viewpoint.h"
+#include "geometry/surface.h"
+#include "ranking/depth_map.h"
+#include "ranking/viewpoint.h"
 
 namespace emtr {
 
@@ -22,7 +22,7 @@ class FreeSpace {
   /// The mean of the shares of both clouds' points that lie clearly in front of what the other's
   /// sensor saw, 0 to 1; 0 for a cloud whose counterpart has no viewpoint.
   ///
-  /// `sign`: of the normals under this pose (FitValue::sign). Both sensors saw the same side of
+  /// `sign`: of the normals under this pose (SurfaceFitValue::sign). Both sensors saw the same side of
   /// the surface where it is positive, so that first goes with first and mirrored with mirrored;
   /// first with mirrored where it is negative. The least of those combinations counts. Where only
   /// one surface has viewpoints, where both are given, or where the sign is 0, all are tried.

@@ -1,11 +1,11 @@
-#include "given_viewpoints.h"
+#include "ranking/given_viewpoints.h"
 
-#include "../error.h"
+#include "util/error.h"
 
 namespace emtr {
 namespace {
 
-Viewpoint normalised(const double at[3], const double center[3], double scale) {
+Viewpoint normalized(const double at[3], const double center[3], double scale) {
   Viewpoint out;
   for (int a = 0; a < 3; ++a) out.at[a] = (at[a] - center[a]) / scale;
   if (!is_near(out.at, 3))
@@ -18,9 +18,9 @@ Viewpoint normalised(const double at[3], const double center[3], double scale) {
 GivenViewpoints::GivenViewpoints(const Settings& s, const Frame& frame) {
   if (!s.free_space) return;
   if (s.has_viewpoint_source)
-    source = normalised(s.viewpoint_source, frame.center_source, frame.scale);
+    source = normalized(s.viewpoint_source, frame.center_source, frame.scale);
   if (s.has_viewpoint_target)
-    target = normalised(s.viewpoint_target, frame.center_target, frame.scale);
+    target = normalized(s.viewpoint_target, frame.center_target, frame.scale);
 }
 
 }  // namespace emtr

@@ -2,13 +2,13 @@
 
 #include <optional>
 
-#include "../frame/frame.h"
-#include "../settings.h"
-#include "viewpoint.h"
+#include "preprocessing/normalization.h"
+#include "settings/settings.h"
+#include "ranking/viewpoint.h"
 
 namespace emtr {
 
-/// What the caller says of where the sensors stood, each in its cloud's normalised frame. Neither
+/// What the caller says of where the sensors stood, each in its cloud's normalized frame. Neither
 /// when free space is to say nothing. Throws Error when one is too far away.
 struct GivenViewpoints {
   std::optional<Viewpoint> source, target;

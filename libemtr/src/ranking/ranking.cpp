@@ -1,4 +1,4 @@
-#include "ranking.h"
+#include "ranking/ranking.h"
 
 #include <utility>
 
@@ -25,7 +25,7 @@ Ranking::Ranking(Surface source, Surface target, const Viewpoints& of_source,
 Ranking::Value Ranking::evaluate(const Rigid& pose, Scratch& scratch, double least) const {
   Value out;
   out.fit = fit_.evaluate(pose, scratch.fit);
-  out.score = both_given_ ? out.fit.same_side : out.fit.chf;
+  out.score = both_given_ ? out.fit.same_side : out.fit.score;
   if (out.score <= least) return out;
   out.violation = free_space_.violation(pose, out.fit.sign, scratch.free_space);
   out.score -= kWeight * out.violation;
@@ -37,7 +37,7 @@ Ranking::Value Ranking::quick(const Rigid& pose, std::size_t step, Scratch& scra
   out.fit = fit_.evaluate(pose, step, scratch.fit);
   out.violation = free_space_.violation(fit_.points(0, step), fit_.points(1, step), pose,
                                         out.fit.sign, scratch.free_space);
-  out.score = (both_given_ ? out.fit.same_side : out.fit.chf) - kWeight * out.violation;
+  out.score = (both_given_ ? out.fit.same_side : out.fit.score) - kWeight * out.violation;
   return out;
 }
 

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "fit.h"
-#include "free_space.h"
+#include "ranking/surface_fit.h"
+#include "ranking/free_space.h"
 
 namespace emtr {
 
@@ -12,12 +12,12 @@ namespace emtr {
 class Ranking {
  public:
   struct Scratch {
-    Fit::Scratch fit;
+    SurfaceFit::Scratch fit;
     FreeSpace::Scratch free_space;
   };
 
   struct Value {
-    FitValue fit;
+    SurfaceFitValue fit;
     double violation = 0;
     /// fit.chf - 2 violation, at most 1. With fit.same_side in the place of fit.chf where the
     /// viewpoints of both are given: no sensor sees the back of what the other sees the front of.
@@ -38,13 +38,13 @@ class Ranking {
 
   /// For a first pass over many poses: by every step-th point alone (see Fit::prepare).
   Value quick(const Rigid& pose, std::size_t step, Scratch& scratch) const;
-  Fit& fit() { return fit_; }
-  const Fit& fit() const { return fit_; }
+  SurfaceFit& fit() { return fit_; }
+  const SurfaceFit& fit() const { return fit_; }
 
  private:
   const Surface source_, target_;
   const bool both_given_;
-  Fit fit_;
+  SurfaceFit fit_;
   FreeSpace free_space_;
 };
 

@@ -1,11 +1,11 @@
-#include "viewpoint.h"
+#include "ranking/viewpoint.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "../watch.h"
-#include "z_buffer.h"
+#include "util/cancellation.h"
+#include "ranking/z_buffer.h"
 
 namespace emtr {
 namespace {
@@ -56,7 +56,7 @@ Viewpoint place(const Direction& centroid, const Direction& direction, double ra
 View best_along(ZBuffer& buffer, const Direction& direction) {
   View best{direction, 0, -1};
   for (const double radius : kRadii) {
-    poll();
+    check_cancelled();
     const double share = buffer.visible_share(place(buffer.centroid(), direction, radius).at);
     if (share > best.share) best = {direction, radius, share};
   }
@@ -112,7 +112,7 @@ Viewpoints estimate_viewpoints(const Surface& surface, const Kernels& kernels) {
   std::vector<View> views = promising(surface, kernels);
   Viewpoints out;
   for (View& view : views) {
-    poll();
+    check_cancelled();
     const Viewpoint at = place(centroid, view.direction, view.radius);
     view.share = narrow.visible_share(at.at);
     out.visible = std::max(out.visible, wide.visible_share(at.at));

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "../surface.h"
+#include "geometry/surface.h"
 
 namespace emtr {
 
-/// A place from which a cloud may have been scanned, in the cloud's own normalised frame.
+/// A place from which a cloud may have been scanned, in the cloud's own normalized frame.
 struct Viewpoint {
   double at[3] = {};
 };
@@ -28,7 +28,7 @@ constexpr double kLeastVisible = 0.8;
 Viewpoints given_viewpoint(const Surface& surface, const Viewpoint& at, const Kernels& kernels);
 
 /// The middle of those places that see most, of 400 around the cloud: 100 directions from its
-/// centroid, at radii of 1.26 to 8, the normalised frame's being 1. Not nearer: from inside, a
+/// centroid, at radii of 1.26 to 8, the normalized frame's being 1. Not nearer: from inside, a
 /// closed model is as visible as a room. The signs of the normals do not matter.
 Viewpoints estimate_viewpoints(const Surface& surface, const Kernels& kernels);
 

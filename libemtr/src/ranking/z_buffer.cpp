@@ -1,11 +1,11 @@
-#include "z_buffer.h"
+#include "ranking/z_buffer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "../tasks/transform.h"
+#include "geometry/transform.h"
 
 namespace emtr {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "../surface.h"
-#include "direction_bins.h"
+#include "geometry/surface.h"
+#include "ranking/direction_bins.h"
 
 namespace emtr {
 

@@ -1,4 +1,4 @@
-#include "constrained_step.h"
+#include "refinement/constrained_step.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>

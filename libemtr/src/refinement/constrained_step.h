@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "../priors/prior.h"
+#include "priors/prior.h"
 
 namespace emtr {
 

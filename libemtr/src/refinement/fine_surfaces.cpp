@@ -1,9 +1,9 @@
-#include "fine_surfaces.h"
+#include "refinement/fine_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "local_polish.h"
+#include "refinement/local_refinement.h"
 
 namespace emtr {
 namespace {
@@ -14,15 +14,15 @@ constexpr double kQueries = 5e4;  // look-ups of one polish, about
 
 }  // namespace
 
-FineSurfaces fine_surfaces(const NormalisedPair& pair, double leaf, const Kernels& kernels) {
+FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, const Kernels& kernels) {
   FineSurfaces out;
   for (int attempt = 0;; ++attempt) {
-    const auto thin = [&](const Cloud& cloud, const PreparedCloudPtr& from) {
+    const auto thin = [&](const Cloud& cloud, const PreprocessedCloudPtr& from) {
       const bool given = from && from->normals.size();  // a pair may be made of bare points
-      return given ? thin_surface(cloud, from->normals, leaf) : thin_surface(cloud, leaf);
+      return given ? downsample_surface(cloud, from->normals, leaf) : downsample_surface(cloud, leaf);
     };
-    out.source = thin(pair.source, pair.prepared_source);
-    out.target = thin(pair.target, pair.prepared_target);
+    out.source = thin(pair.source, pair.preprocessed_source);
+    out.target = thin(pair.target, pair.preprocessed_target);
     const auto filling = [](const Cloud& points, const Surface& surface) {
       return static_cast<double>(points.size()) / static_cast<double>(surface.points.size());
     };
@@ -31,8 +31,8 @@ FineSurfaces fine_surfaces(const NormalisedPair& pair, double leaf, const Kernel
     if (least >= kLeastPoints || attempt == kMostAttempts) break;
     leaf *= std::sqrt(1.1 * kLeastPoints / least);
   }
-  const Polish polish;
-  const auto reach = static_cast<float>(std::max(polish.first_scale, polish.reach) * leaf);
+  const LocalRefinementSettings local_refinement;
+  const auto reach = static_cast<float>(std::max(local_refinement.first_scale, local_refinement.reach) * leaf);
   const auto near = [&](const Surface& surface) {
     return make_neighbors(surface.points, reach, static_cast<float>(1.5 * leaf), kQueries, kernels);
   };

@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "../frame/frame.h"
-#include "../kernels/kernels.h"
-#include "../neighbors/neighbors.h"
-#include "surface.h"
+#include "preprocessing/normalization.h"
+#include "kernels/kernels.h"
+#include "neighbors/neighbors.h"
+#include "refinement/downsampled_surface.h"
 
 namespace emtr {
 
@@ -18,7 +18,7 @@ struct FineSurfaces {
   double leaf() const { return source.leaf; }
 };
 
-/// At the leaf asked for (normalised frame), or as fine as the sparser cloud allows.
-FineSurfaces fine_surfaces(const NormalisedPair& pair, double leaf, const Kernels& kernels);
+/// At the leaf asked for (normalized frame), or as fine as the sparser cloud allows.
+FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, const Kernels& kernels);
 
 }  // namespace emtr

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "local_polish.h"
+#include "refinement/local_refinement.h"
 
 namespace emtr {
 
 /// The inverse of the covariance of a polished pose, row-major 6x6. Of a small motion on the left
-/// in the target's normalised frame, about its origin (the centroid of the target): rows 0-2 a
-/// rotation vector in radians, rows 3-5 a shift in the normalised unit; T_true = exp(x) T.
+/// in the target's normalized frame, about its origin (the centroid of the target): rows 0-2 a
+/// rotation vector in radians, rows 3-5 a shift in the normalized unit; T_true = exp(x) T.
 /// The Hessian of the matched pairs scaled by the variance of their residuals, as M-estimators are
 /// (Huber 1981, 6.3), and by the design effect, which says how many pairs count as one. It knows
 /// noise that is independent from point to point and nothing else: not what two scanners see
 /// differently, not a wrong match, and for what the surface leaves free it is as good as zero (see
-/// spectrum()). All zeros when the polish had too few inliers.
-void information(const Polished& polished, double design_effect, double matrix[36]);
+/// hessian_spectrum()). All zeros when the polish had too few inliers.
+void information(const LocalRefinementResult& refine_locally, double design_effect, double matrix[36]);
 
 }  // namespace emtr

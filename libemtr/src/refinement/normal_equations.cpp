@@ -1,4 +1,4 @@
-#include "normal_equations.h"
+#include "refinement/normal_equations.h"
 
 namespace emtr {
 
@@ -8,7 +8,7 @@ void NormalEquations::add(const NormalEquations& other) {
   for (int k = 0; k < 10; ++k) tangents[k] += other.tangents[k];
   weights += other.weights;
   squares += other.squares;
-  forces += other.forces;
+  squared_influence += other.squared_influence;
   slopes += other.slopes;
   inliers += other.inliers;
 }

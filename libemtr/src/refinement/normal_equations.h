@@ -13,7 +13,7 @@ struct NormalEquations {
   double tangents[10] = {};  ///< of the weak pull in all directions: sums of w, w y, w y y^T
   double weights = 0;        ///< sum of w
   double squares = 0;        ///< sum of w e^2
-  double forces = 0;         ///< sum of (w e)^2
+  double squared_influence = 0;         ///< sum of (w e)^2
   double slopes = 0;         ///< sum of d(w e)/de, what is left of w where the M-estimator bends
   double inliers = 0;        ///< how many pairs have a weight above zero
 

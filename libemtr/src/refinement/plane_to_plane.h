@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "../rigid.h"
-#include "normal_equations.h"
+#include "geometry/rigid.h"
+#include "refinement/normal_equations.h"
 
 namespace emtr {
 
@@ -62,7 +62,7 @@ class PlaneToPlane {
     sums.add_difference(y, d, tukey * eps_);
     sums.weights += w;
     sums.squares += w * squared;
-    sums.forces += w * w * squared;
+    sums.squared_influence += w * w * squared;
     sums.slopes += along * bend * (bend - 4 * along * squared * inverse_);
     sums.inliers += 1;
   }

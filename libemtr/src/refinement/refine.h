@@ -1,20 +1,20 @@
 #pragma once
 
-#include "../priors/prior.h"
-#include "../settings.h"
-#include "fine_surfaces.h"
-#include "spectrum.h"
+#include "priors/prior.h"
+#include "settings/settings.h"
+#include "refinement/fine_surfaces.h"
+#include "refinement/hessian_spectrum.h"
 
 namespace emtr {
 
 /// The answer polished on the fine surfaces.
 struct Refined {
   bool succeeded = false;       ///< false: nothing held the pose, which is the one at the start
-  Rigid pose;                   ///< normalised frame
+  Rigid pose;                   ///< normalized frame
   double rmse = 0;              ///< see Polished
   double information[36] = {};  ///< see information()
-  Spectrum spectrum;
-  int slides = 0;  ///< directions that neither the surfaces hold nor the prior
+  HessianSpectrum hessian_spectrum;
+  int unconstrained = 0;  ///< directions that neither the surfaces hold nor the prior
 };
 
 /// `prior`: what the pose keeps to, as the start does, or null.

@@ -1,6 +1,6 @@
-#include "consistency.h"
+#include "seeds/consistency.h"
 
-#include "../team.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
@@ -30,7 +30,7 @@ Consistency::Consistency(const Cloud& source, const Cloud& target,
   degree_.resize(n_);
   PointsView p = p_.view(), q = q_.view();
   p.size = q.size = n_;
-  Team::with(threads, [&](Team& team) {
+  ThreadTeam::with(threads, [&](ThreadTeam& team) {
     team.parallel(n_, [&](std::size_t i, std::size_t) {
       std::uint64_t* bits = &bits_[i * words_];
       kernels_.consistent(p, q, i, static_cast<float>(threshold), bits);

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "../cloud.h"
-#include "../features/matching.h"
+#include "geometry/cloud.h"
+#include "correspondences/matching.h"
 
 namespace emtr {
 

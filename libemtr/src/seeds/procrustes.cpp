@@ -1,4 +1,4 @@
-#include "procrustes.h"
+#include "seeds/procrustes.h"
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "../rigid.h"
+#include "geometry/rigid.h"
 
 namespace emtr {
 

@@ -1,11 +1,11 @@
-#include "seeds.h"
+#include "seeds/seeds.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "../team.h"
-#include "procrustes.h"
+#include "util/thread_team.h"
+#include "seeds/procrustes.h"
 
 namespace emtr {
 namespace {
@@ -24,7 +24,7 @@ Point at(const Cloud& cloud, std::size_t i) {
 /// The correspondences with the most partners of their partners first; beside one that is taken,
 /// those within the threshold at both ends would say the same again.
 std::vector<std::size_t> centres(const Consistency& c, double threshold, std::size_t most,
-                                 Team& team) {
+                                 ThreadTeam& team) {
   std::vector<std::size_t> support(c.size()), order(c.size());
   team.parallel(c.size(), [&](std::size_t i, std::size_t) {
     std::size_t sum = 0;
@@ -42,7 +42,7 @@ std::vector<std::size_t> centres(const Consistency& c, double threshold, std::si
   std::vector<std::size_t> taken;
   for (const std::size_t i : order) {
     if (taken.size() == most || c.degree(i) < 2) break;
-    poll();
+    check_cancelled();
     const bool copy = std::any_of(taken.begin(), taken.end(), [&](std::size_t j) {
       return near(c.p(), i, j) && near(c.q(), i, j);
     });
@@ -51,9 +51,9 @@ std::vector<std::size_t> centres(const Consistency& c, double threshold, std::si
   return taken;
 }
 
-class Fit {
+class SurfaceFit {
  public:
-  Fit(const Consistency& c, double threshold) : c_(c), squared_(threshold * threshold) {}
+  SurfaceFit(const Consistency& c, double threshold) : c_(c), squared_(threshold * threshold) {}
 
   Seed around(std::size_t centre) const {
     const std::vector<std::size_t> subset = consistent_subset(centre);
@@ -115,9 +115,9 @@ class Fit {
 std::vector<Seed> find_seeds(const Consistency& consistency, double threshold, std::size_t most,
                              int threads) {
   std::vector<Seed> seeds;
-  Team::with(threads, [&](Team& team) {
+  ThreadTeam::with(threads, [&](ThreadTeam& team) {
     const std::vector<std::size_t> chosen = centres(consistency, threshold, most, team);
-    const Fit fit(consistency, threshold);
+    const SurfaceFit fit(consistency, threshold);
     seeds.resize(chosen.size());
     team.parallel(chosen.size(),
                   [&](std::size_t k, std::size_t) { seeds[k] = fit.around(chosen[k]); });

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "../rigid.h"
-#include "consistency.h"
+#include "geometry/rigid.h"
+#include "seeds/consistency.h"
 
 namespace emtr {
 

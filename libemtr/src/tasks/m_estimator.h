@@ -2,7 +2,7 @@
 
 namespace emtr {
 
-/// Tukey's biweight, normalised: rho(r) = 1 - (1 - (r/c)^2)^3 for r <= c, else 1.
+/// Tukey's biweight, normalized: rho(r) = 1 - (1 - (r/c)^2)^3 for r <= c, else 1.
 /// Taken of the squared residual, which must already be cut at c^2. Kernels::rho_sum sums many.
 inline float rho(float squared, float inverse_squared_scale) {
   const float w = 1.0f - squared * inverse_squared_scale;

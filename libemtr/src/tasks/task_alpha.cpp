@@ -1,20 +1,20 @@
-#include "task_alpha.h"
+#include "tasks/task_alpha.h"
 
-#include "transform.h"
+#include "geometry/transform.h"
 
 namespace emtr {
-TaskAlpha::TaskAlpha(const Densities& densities, const Settings& settings, const Kernels& kernels,
+TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings, const Kernels& kernels,
                      const MakeNeighbors& make)
-    : densities_(densities),
+    : downsampled_(downsampled),
       kernels_(kernels),
-      scale_sparse_(settings.scale_sparse * densities.leaf_sparse),
-      scale_dense_(settings.scale_dense * densities.leaf_dense) {
+      scale_sparse_(settings.scale_sparse * downsampled.leaf_sparse),
+      scale_dense_(settings.scale_dense * downsampled.leaf_dense) {
   const auto structure = [&](const Cloud& cloud, double scale, double leaf) {
     return make(cloud, static_cast<float>(scale), static_cast<float>(leaf));
   };
-  target_sparse_ = structure(densities.target_sparse, scale_sparse_, densities.leaf_sparse);
-  target_dense_ = structure(densities.target_dense, scale_dense_, densities.leaf_dense);
-  source_dense_ = structure(densities.source_dense, scale_dense_, densities.leaf_dense);
+  target_sparse_ = structure(downsampled.target_sparse, scale_sparse_, downsampled.leaf_sparse);
+  target_dense_ = structure(downsampled.target_dense, scale_dense_, downsampled.leaf_dense);
+  source_dense_ = structure(downsampled.source_dense, scale_dense_, downsampled.leaf_dense);
 }
 
 void TaskAlpha::residuals(const Cloud& points, const Rigid& pose, const Neighbors& neighbors,
@@ -36,27 +36,27 @@ double TaskAlpha::sum(const Cloud& points, const Rigid& pose, const Neighbors& n
 
 double TaskAlpha::evaluate(emtr_stage stage, const Rigid& pose, Scratch& scratch) const {
   if (stage == EMTR_STAGE_SPARSE)
-    return sum(densities_.source_sparse, pose, *target_sparse_, scale_sparse_, scratch);
-  const double forward = sum(densities_.source_dense, pose, *target_dense_, scale_dense_, scratch);
+    return sum(downsampled_.source_sparse, pose, *target_sparse_, scale_sparse_, scratch);
+  const double forward = sum(downsampled_.source_dense, pose, *target_dense_, scale_dense_, scratch);
   return forward +
-         sum(densities_.target_dense, pose.inverse(), *source_dense_, scale_dense_, scratch);
+         sum(downsampled_.target_dense, pose.inverse(), *source_dense_, scale_dense_, scratch);
 }
 
-std::size_t TaskAlpha::lookups(emtr_stage stage) const {
-  if (stage == EMTR_STAGE_SPARSE) return densities_.source_sparse.size();
-  return densities_.source_dense.size() + densities_.target_dense.size();
+std::size_t TaskAlpha::queries(emtr_stage stage) const {
+  if (stage == EMTR_STAGE_SPARSE) return downsampled_.source_sparse.size();
+  return downsampled_.source_dense.size() + downsampled_.target_dense.size();
 }
 
 TaskAlpha::Residuals TaskAlpha::residuals_source(const Rigid& pose) const {
   Scratch scratch;
-  const double total = sum(densities_.source_dense, pose, *target_dense_, scale_dense_, scratch);
+  const double total = sum(downsampled_.source_dense, pose, *target_dense_, scale_dense_, scratch);
   return {scratch.squared, total};
 }
 
 TaskAlpha::Residuals TaskAlpha::residuals_target(const Rigid& pose) const {
   Scratch scratch;
   const double total =
-      sum(densities_.target_dense, pose.inverse(), *source_dense_, scale_dense_, scratch);
+      sum(downsampled_.target_dense, pose.inverse(), *source_dense_, scale_dense_, scratch);
   return {scratch.squared, total};
 }
 

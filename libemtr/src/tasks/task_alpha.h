@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "../frame/densities.h"
-#include "../neighbors/neighbors.h"
+#include "preprocessing/downsampling.h"
+#include "neighbors/neighbors.h"
 
 namespace emtr {
 
@@ -17,7 +17,7 @@ namespace emtr {
 /// of the second sum are taken in the source's frame, which is the same and needs one structure.
 class TaskAlpha {
  public:
-  /// How to make a neighbour structure of a cloud, with a radius and a leaf.
+  /// How to make a neighbor structure of a cloud, with a radius and a leaf.
   using MakeNeighbors =
       std::function<std::unique_ptr<Neighbors>(const Cloud&, float radius, float leaf)>;
 
@@ -26,15 +26,15 @@ class TaskAlpha {
     std::vector<float> x, y, z, squared;
   };
 
-  TaskAlpha(const Densities& densities, const Settings& settings, const Kernels& kernels,
+  TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings, const Kernels& kernels,
             const MakeNeighbors& make);
 
   double evaluate(emtr_stage stage, const Rigid& pose, Scratch& scratch) const;
 
   /// Look-ups that one evaluation makes: N_s, or N_d + M_d.
-  std::size_t lookups(emtr_stage stage) const;
-  /// The largest value that the fitness can take: every point without a neighbour.
-  double worst(emtr_stage stage) const { return static_cast<double>(lookups(stage)); }
+  std::size_t queries(emtr_stage stage) const;
+  /// The largest value that the fitness can take: every point without a neighbor.
+  double worst(emtr_stage stage) const { return static_cast<double>(queries(stage)); }
 
   double scale(emtr_stage stage) const {  ///< c of the M-estimator
     return stage == EMTR_STAGE_DENSE ? scale_dense_ : scale_sparse_;
@@ -55,7 +55,7 @@ class TaskAlpha {
   double sum(const Cloud& points, const Rigid& pose, const Neighbors& neighbors, double scale,
              Scratch& scratch) const;
 
-  const Densities& densities_;
+  const DownsampledClouds& downsampled_;
   const Kernels& kernels_;
   double scale_sparse_, scale_dense_;
   std::unique_ptr<Neighbors> target_sparse_, target_dense_, source_dense_;

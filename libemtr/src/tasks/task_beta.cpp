@@ -1,4 +1,4 @@
-#include "task_beta.h"
+#include "tasks/task_beta.h"
 
 #include <algorithm>
 #include <numeric>

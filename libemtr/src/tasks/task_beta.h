@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../features/tims.h"
-#include "../settings.h"
+#include "correspondences/tims.h"
+#include "settings/settings.h"
 
 namespace emtr {
 
@@ -9,7 +9,7 @@ namespace emtr {
 /// better: f = eta * #outliers + sum over inliers |q - R p|, inlier when |q - R p| < threshold.
 class TaskBeta {
  public:
-  /// `tau` in the normalised frame.
+  /// `tau` in the normalized frame.
   TaskBeta(const Tims& tims, double tau, const Settings& settings, const Kernels& kernels);
 
   double evaluate(const double* R) const;  ///< R row-major
@@ -23,7 +23,7 @@ class TaskBeta {
  private:
   const Tims& tims_;
   const Kernels& kernels_;
-  Cloud source_, target_;  ///< the correspondences in an order that keeps neighbours together
+  Cloud source_, target_;  ///< the correspondences in an order that keeps neighbors together
   float squared_threshold_;
   double penalty_;  ///< eta
 };

@@ -1,4 +1,4 @@
-#include "residuals.h"
+#include "verdict/residuals.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "../error.h"
-#include "../features/nearest_point.h"
-#include "../frame/cloud_reader.h"
-#include "../team.h"
+#include "util/error.h"
+#include "neighbors/nearest_point.h"
+#include "preprocessing/cloud_reader.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
@@ -93,9 +93,9 @@ void one_way(const CloudReader& from, const CloudReader& to, const std::string& 
              const Rigid& pose, int threads, double* out) {
   const Reference reference(to, name);
   std::fill_n(out, from.count(), std::numeric_limits<double>::quiet_NaN());
-  in_parallel(from.blocks(), threads, [&](std::size_t block) {
+  parallel_for(from.blocks(), threads, [&](std::size_t block) {
     from.each_finite(block, [&](std::size_t i, const double* p) {
-      poll_each(i, 10);
+      check_cancelled_each(i, 10);
       out[block * CloudReader::kBlock + i] = reference.distance(moved(p, pose));
     });
   });

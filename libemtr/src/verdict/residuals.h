@@ -2,7 +2,7 @@
 
 #include <emtr/emtr.h>
 
-#include "../rigid.h"
+#include "geometry/rigid.h"
 
 namespace emtr {
 

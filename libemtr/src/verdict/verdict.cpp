@@ -1,9 +1,9 @@
-#include "verdict.h"
+#include "verdict/verdict.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "../candidates/modes.h"
+#include "geometry/pose_distance.h"
 
 namespace emtr {
 namespace {
@@ -24,7 +24,7 @@ double other_mode(const Evolution& evolution, const Rigid& best, const TaskAlpha
   TaskAlpha::Scratch scratch;
   double other = alpha.worst(EMTR_STAGE_DENSE);
   for (const Hypothesis& h : evolution.hypotheses) {
-    if (within(h.pose, best, kMode)) continue;
+    if (within(h.pose, best, kDistinctPose)) continue;
     const bool known = evolution.stage == EMTR_STAGE_DENSE;
     other = std::min(other, known ? h.fitness : alpha.evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
   }
@@ -45,14 +45,14 @@ Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& al
   v.inlier_ratio_target = inlier_ratio(target.squared, c);
   // Of a run that was stopped nobody waits for fitness that is not known yet.
   const bool known = !evolution.hypotheses.empty() && evolution.stage == EMTR_STAGE_DENSE;
-  v.mode_gap = known || !evolution.stopped ? other_mode(evolution, pose, alpha) - v.fitness
+  v.fitness_gap = known || !evolution.stopped ? other_mode(evolution, pose, alpha) - v.fitness
                                            : std::numeric_limits<double>::quiet_NaN();
 
   if (evolution.stopped)
     v.reason = EMTR_REASON_INTERRUPTED;
   else if (v.fitness > settings.maximum_fitness)
     v.reason = correspondences < kFewMatches ? EMTR_REASON_FEW_MATCHES : EMTR_REASON_LOW_OVERLAP;
-  else if (v.mode_gap < settings.minimum_mode_gap)
+  else if (v.fitness_gap < settings.minimum_fitness_gap)
     v.reason = EMTR_REASON_AMBIGUOUS;
   else
     v.reason = EMTR_REASON_REGISTERED;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../evolution/engine.h"
+#include "evolution/engine.h"
 
 namespace emtr {
 
@@ -11,7 +11,7 @@ struct Verdict {
   double fitness = 1;              ///< mean of rho over both dense clouds
   double inlier_ratio_source = 0;  ///< within c of the D stage
   double inlier_ratio_target = 0;
-  double mode_gap = 0;  ///< mean fitness of the best clearly different pose, minus fitness
+  double fitness_gap = 0;  ///< mean fitness of the best clearly different pose, minus fitness
 };
 
 /// Judges a pose, the evolution's best or one made from it. `correspondences`: how many matches

@@ -15,9 +15,9 @@ static int ask(void* user) {
   caller* self = user;
   ++self->asked;
   if (self->cloud) {
-    emtr_prepared* prepared = NULL;
-    CHECK_OK(emtr_prepare(self->cloud, NULL, 1, &prepared));
-    emtr_prepared_free(prepared);
+    emtr_preprocessed* preprocessed = NULL;
+    CHECK_OK(emtr_preprocess(self->cloud, NULL, 1, &preprocessed));
+    emtr_preprocessed_free(preprocessed);
   }
   return self->end;
 }
@@ -33,7 +33,7 @@ static void long_calls_end(void) {
   enum { kMany = 3000000, kParticles = 20000 };
   caller self = {0, 1, NULL};
   bumpy_pair pair;
-  emtr_prepared* prepared = (emtr_prepared*)&self;
+  emtr_preprocessed* preprocessed = (emtr_preprocessed*)&self;
   emtr_problem* problem = NULL;
   float* points = malloc(3 * kMany * sizeof *points);
   double* numbers = calloc(6 * kParticles, sizeof *numbers);
@@ -49,18 +49,18 @@ static void long_calls_end(void) {
   CHECK_OK(emtr_problem_create(&few, &few, NULL, &problem));
 
   emtr_set_interrupt(ask, &self);
-  CHECK_ERROR(emtr_prepare(&many, NULL, 2, &prepared), EMTR_ERROR_INTERRUPTED, "interrupted");
-  CHECK(prepared == NULL && self.asked == 1);
+  CHECK_ERROR(emtr_preprocess(&many, NULL, 2, &preprocessed), EMTR_ERROR_INTERRUPTED, "interrupted");
+  CHECK(preprocessed == NULL && self.asked == 1);
   CHECK_ERROR(emtr_residuals(&many, &many, NULL, 2, out, NULL), EMTR_ERROR_INTERRUPTED,
               "interrupted");
   CHECK_ERROR(emtr_task_alpha_evaluate(problem, EMTR_STAGE_DENSE, numbers, kParticles, out),
               EMTR_ERROR_INTERRUPTED, "interrupted");
   CHECK(self.asked == 3);
   emtr_set_interrupt(NULL, NULL);
-  CHECK_OK(emtr_prepare(&many, NULL, 2, &prepared));
+  CHECK_OK(emtr_preprocess(&many, NULL, 2, &preprocessed));
   CHECK(self.asked == 3);
 
-  emtr_prepared_free(prepared);
+  emtr_preprocessed_free(preprocessed);
   emtr_problem_free(problem);
   bumpy_pair_free(&pair);
   free(out);

@@ -30,7 +30,7 @@ static void under_limits(const char* preset, int threads) {
   const rlim_t before = used();
   emtr_settings settings;
   emtr_result* result = NULL;
-  emtr_prepared* prepared = NULL;
+  emtr_preprocessed* preprocessed = NULL;
   emtr_problem* problem = NULL;
   int kilobytes, refused = 0;
   CHECK_OK(emtr_settings_init(&settings, sizeof settings, preset));
@@ -47,9 +47,9 @@ static void under_limits(const char* preset, int threads) {
     status = emtr_problem_create(&source, &target, &settings, &problem);
     CHECK(status == EMTR_OK || status == EMTR_ERROR_MEMORY);
     emtr_problem_free(problem);
-    status = emtr_prepare(&source, "a", threads, &prepared);
+    status = emtr_preprocess(&source, "a", threads, &preprocessed);
     CHECK(status == EMTR_OK || status == EMTR_ERROR_MEMORY);
-    emtr_prepared_free(prepared);
+    emtr_preprocessed_free(preprocessed);
   }
   CHECK(refused > 0);
   limit(RLIM_INFINITY);

@@ -49,7 +49,7 @@ static void arrays(const emtr_problem* problem, const emtr_problem_info* info) {
 static void tasks(emtr_problem* problem, const bumpy_pair* pair, const emtr_problem_info* info) {
   double particles[2][6], rotations[2][3], sparse[2], dense[2], beta[2], t[3], back[16];
   size_t rows;
-  const uint64_t before = emtr_problem_lookups(problem);
+  const uint64_t before = emtr_problem_queries(problem);
   int k;
   CHECK_OK(emtr_transformation_to_particle(problem, pair->pose, particles[0]));
   CHECK_OK(emtr_particle_to_transformation(problem, particles[0], back));
@@ -62,7 +62,7 @@ static void tasks(emtr_problem* problem, const bumpy_pair* pair, const emtr_prob
   memcpy(rotations[1], particles[1], sizeof rotations[1]);
   CHECK_OK(emtr_task_alpha_evaluate(problem, EMTR_STAGE_SPARSE, particles[0], 2, sparse));
   rows_of(problem, EMTR_SOURCE_SPARSE, 3, &rows);
-  CHECK(emtr_problem_lookups(problem) - before == 2 * rows);
+  CHECK(emtr_problem_queries(problem) - before == 2 * rows);
   CHECK_OK(emtr_task_alpha_evaluate(problem, EMTR_STAGE_DENSE, particles[0], 2, dense));
   CHECK_OK(emtr_task_beta_evaluate(problem, rotations[0], 2, beta));
   CHECK(sparse[0] >= 0 && sparse[0] < sparse[1] && sparse[1] <= (double)rows);
@@ -115,7 +115,7 @@ int main(void) {
   if (!solved) return 1;
   CHECK(memcmp(at_once->transformation, solved->transformation, sizeof pair.pose) == 0);
   CHECK(solved->registered && bumpy_pair_error(&pair, solved->transformation) < 0.05);
-  CHECK(solved->lookups_evaluation == at_once->lookups_evaluation);
+  CHECK(solved->queries_evaluation == at_once->queries_evaluation);
   emtr_result_free(solved);
   emtr_result_free(at_once);
   emtr_problem_free(problem);

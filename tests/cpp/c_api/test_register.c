@@ -26,7 +26,7 @@ static emtr_settings preset(const char* name) {
 
 static void same_pose(const emtr_result* a, const emtr_result* b) {
   CHECK(memcmp(a->transformation, b->transformation, sizeof a->transformation) == 0);
-  CHECK(a->fitness == b->fitness && a->mode_gap == b->mode_gap);
+  CHECK(a->fitness == b->fitness && a->fitness_gap == b->fitness_gap);
 }
 
 static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r,
@@ -44,7 +44,7 @@ static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r,
       CHECK(fabs(dot - (row == other)) < 1e-12);
     }
   CHECK(t[12] == 0 && t[13] == 0 && t[14] == 0 && t[15] == 1);
-  CHECK(r->fitness > 0 && r->fitness < 1 && r->mode_gap > 0);
+  CHECK(r->fitness > 0 && r->fitness < 1 && r->fitness_gap > 0);
   CHECK(r->inlier_ratio_source > 0.3 && r->inlier_ratio_source <= 1);
   CHECK(r->inlier_ratio_target > 0.3 && r->inlier_ratio_target <= 1);
   CHECK(r->inlier_rmse > 0 && r->inlier_rmse < r->leaf_fine * r->scale);
@@ -56,7 +56,7 @@ static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r,
   CHECK(r->sparse_source > 0 && r->sparse_source < r->dense_source);
   CHECK(r->sparse_target > 0 && r->sparse_target < r->dense_target);
   CHECK(r->correspondences > 10 && r->tims > r->correspondences && r->tims_pruned < r->tims);
-  CHECK(r->lookups_evaluation > 0 && r->lookups_switch > 0 && r->lookups_complement > 0);
+  CHECK(r->queries_evaluation > 0 && r->queries_switch > 0 && r->queries_complement > 0);
   CHECK(r->scale > 0.5 * pair->unit && r->scale < 2 * pair->unit);
   CHECK(r->leaf_sparse > r->leaf_dense && r->leaf_dense > 0);
   CHECK(r->seconds_total > 0 && r->seconds_evolution <= r->seconds_total);
@@ -80,7 +80,7 @@ static void by_the_default_preset(const bumpy_pair* pair, const emtr_result* r) 
     CHECK(i == 0 || r->alternatives[i].score <= r->alternatives[i - 1].score);
     CHECK(!(bumpy_pair_error(pair, r->alternatives[i].transformation) < 0.05));
   }
-  CHECK(r->refined == 1 && r->free_directions == 0 && r->seconds_refinement > 0);
+  CHECK(r->refined == 1 && r->unconstrained_directions == 0 && r->seconds_refinement > 0);
   for (k = 0; k < 6; ++k) {
     CHECK(r->information[7 * k] > 0);
     for (j = 0; j < k; ++j) {
@@ -101,9 +101,9 @@ static void by_the_paper(const bumpy_pair* pair) {
   the_result_is_whole(pair, r, &settings);
   CHECK(isnan(r->confidence) && isnan(r->score) && isnan(r->fit) && isnan(r->violation));
   CHECK(isnan(r->score_gap) && r->seeds == 0 && r->candidates == 0 && r->alternative_count == 0);
-  CHECK(!r->escalated && !r->refined && r->free_directions == -1);
+  CHECK(!r->used_fallback_search && !r->refined && r->unconstrained_directions == -1);
   CHECK(r->seconds_seeds == 0 && r->seconds_candidates == 0 && r->seconds_refinement == 0);
-  for (k = 0; k < 36; ++k) CHECK(isnan(r->information[k]) && isnan(r->hold_directions[k]));
+  for (k = 0; k < 36; ++k) CHECK(isnan(r->information[k]) && isnan(r->hessian_eigenvectors[k]));
   emtr_result_free(r);
 }
 
@@ -123,7 +123,7 @@ static void viewpoints(const bumpy_pair* pair) {
   for (k = 0; k < 3; ++k)
     for (i = 0; i < 3; ++i) settings.viewpoint_source[k] += pair->pose[4 * i + k] * source[i];
   known = run(pair, &settings, NULL, NULL);
-  CHECK(unknown->escalated && known->escalated);
+  CHECK(unknown->used_fallback_search && known->used_fallback_search);
   CHECK(known->registered && bumpy_pair_error(pair, known->transformation) < 0.01);
   CHECK(known->score != unknown->score); /* they act */
   emtr_result_free(unknown);
@@ -208,7 +208,7 @@ static void progress_and_stop(const bumpy_pair* pair, const emtr_result* whole) 
 
   settings = preset("thorough");
   result = run(pair, &settings, on_progress, &thorough);
-  CHECK(result->escalated && strstr(thorough.stages, "candidates escalation refinement "));
+  CHECK(result->used_fallback_search && strstr(thorough.stages, "candidates escalation refinement "));
   emtr_result_free(result);
 
   settings = preset("paper");

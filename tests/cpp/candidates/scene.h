@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../ranking/surfaces.h"
-#include "../refinement/shapes.h"
-#include "candidates/modes.h"
-#include "candidates/surfaces.h"
+#include "ranking/surfaces.h"
+#include "refinement/shapes.h"
+#include "geometry/pose_distance.h"
+#include "candidates/surface_pair.h"
 #include "features/fpfh.h"
-#include "frame/densities.h"
-#include "frame/frame.h"
-#include "settings.h"
+#include "preprocessing/downsampling.h"
+#include "preprocessing/normalization.h"
+#include "settings/settings.h"
 
 namespace emtr_test {
 
@@ -18,15 +18,15 @@ namespace emtr_test {
 struct Scene {
   Pair pair;
   emtr::Settings settings = emtr::preset("default");
-  emtr::NormalisedPair normalised;
+  emtr::NormalizedPair normalized;
   emtr::Surface source, target;
   emtr::Rigid truth;
 
   explicit Scene(std::uint64_t seed, std::size_t points = 5000, double unit = 1)
-      : pair(seed, points, unit), normalised(emtr::normalise(pair.source(), pair.target(), 1)) {
+      : pair(seed, points, unit), normalized(emtr::normalize(pair.source(), pair.target(), 1)) {
     settings.dense_points = 3000;
     settings.threads = 1;
-    const emtr::Densities d = emtr::thin(normalised, settings);
+    const emtr::DownsampledClouds d = emtr::thin(normalized, settings);
     emtr::FeatureDefinition definition;
     definition.normal_radius = settings.normal_radius * d.leaf_dense;
     definition.feature_radius = settings.feature_radius * d.leaf_dense;
@@ -37,7 +37,7 @@ struct Scene {
     };
     source = described(d.source_dense);
     target = described(d.target_dense);
-    truth = normalised.frame.to_normalised(emtr::from_matrix(pair.pose()));
+    truth = normalized.frame.to_normalized(emtr::from_matrix(pair.pose()));
   }
 
   /// Where the sensors could have stood: on the axes of the scans, in each cloud's own frame and

@@ -4,7 +4,7 @@
 
 #include "evolution/engine.h"
 #include "priors/make_prior.h"
-#include "problem.h"
+#include "pipeline/problem.h"
 #include "support/clouds.h"
 
 namespace {
@@ -27,32 +27,32 @@ class Engine : public testing::Test {
  protected:
   Settings settings = emtr::preset("paper");
   emtr::Problem problem = problem_with(settings);
-  std::uint64_t sparse = problem.alpha->lookups(EMTR_STAGE_SPARSE);
-  std::uint64_t dense = problem.alpha->lookups(EMTR_STAGE_DENSE);
+  std::uint64_t sparse = problem.alpha->queries(EMTR_STAGE_SPARSE);
+  std::uint64_t dense = problem.alpha->queries(EMTR_STAGE_DENSE);
 };
 
 TEST_F(Engine, LookUpsAreThePapersFormula) {
   const Evolution with = run(problem, settings);
-  EXPECT_EQ(with.lookups_evaluation, 50 * (60 * sparse + 40 * dense));
-  EXPECT_EQ(with.lookups_switch, 50 * dense);
-  EXPECT_EQ(with.lookups_complement % (20 * sparse), 0u);
-  EXPECT_GT(with.lookups_complement, 0u);
+  EXPECT_EQ(with.queries_evaluation, 50 * (60 * sparse + 40 * dense));
+  EXPECT_EQ(with.queries_switch, 50 * dense);
+  EXPECT_EQ(with.queries_complement % (20 * sparse), 0u);
+  EXPECT_GT(with.queries_complement, 0u);
 
   settings.sparse_to_dense = 0;
   const Evolution without = run(problem, settings);
-  EXPECT_EQ(without.lookups_evaluation, 50 * 100 * dense);
-  EXPECT_EQ(without.lookups_switch, 0u);
+  EXPECT_EQ(without.queries_evaluation, 50 * 100 * dense);
+  EXPECT_EQ(without.queries_switch, 0u);
 }
 
 TEST_F(Engine, SwitchesAtTheCeilingOfDelta) {
   settings.iterations = 7;  // ceil(0.6 * 7) = 5
-  EXPECT_EQ(run(problem, settings).lookups_evaluation, 50 * (5 * sparse + 2 * dense));
+  EXPECT_EQ(run(problem, settings).queries_evaluation, 50 * (5 * sparse + 2 * dense));
   settings.switch_fraction = 1;
   const Evolution never = run(problem, settings);
-  EXPECT_EQ(never.lookups_evaluation, 50 * 7 * sparse);
+  EXPECT_EQ(never.queries_evaluation, 50 * 7 * sparse);
   EXPECT_EQ(never.stage, EMTR_STAGE_SPARSE);
   settings.switch_fraction = 0;
-  EXPECT_EQ(run(problem, settings).lookups_evaluation, 50 * 7 * dense);
+  EXPECT_EQ(run(problem, settings).queries_evaluation, 50 * 7 * dense);
 }
 
 TEST_F(Engine, HistoryNeverRisesButAtTheSwitch) {
@@ -99,7 +99,7 @@ TEST_F(Engine, AblationsDoWhatTheySay) {
   Settings alone = settings;
   alone.transfer = 0;
   const Evolution apart = run(problem, alone);
-  EXPECT_EQ(apart.lookups_complement, 0u);
+  EXPECT_EQ(apart.queries_complement, 0u);
   EXPECT_NE(apart.history_alpha, all.history_alpha);
 
   // Without transfer task beta does not hear of alpha, so alpha's settings cannot matter to it.
@@ -108,7 +108,7 @@ TEST_F(Engine, AblationsDoWhatTheySay) {
 
   Settings bare = settings;
   bare.complement = 0;
-  EXPECT_EQ(run(problem, bare).lookups_complement, 0u);
+  EXPECT_EQ(run(problem, bare).queries_complement, 0u);
 }
 
 TEST_F(Engine, StopsWhenAsked) {
@@ -122,7 +122,7 @@ TEST_F(Engine, AGuessIsOneHypothesis) {
   settings.iterations = 1;
   emtr::Rigid truth;
   const emtr_test::Pair pair(11, 5000);
-  truth = problem.frame.to_normalised(emtr::from_matrix(pair.pose()));
+  truth = problem.frame.to_normalized(emtr::from_matrix(pair.pose()));
   const Evolution e = emtr::evolve(
       *problem.alpha, *problem.beta, *problem.complement, settings, {{truth}, {}},
       [](int, double, double) { return false; }, nullptr);
@@ -135,7 +135,7 @@ class EngineSteps : public Engine {
   EngineSteps() {
     settings.iterations = 40;
     const emtr_test::Pair pair(11, 5000);
-    truth = problem.frame.to_normalised(emtr::from_matrix(pair.pose()));
+    truth = problem.frame.to_normalized(emtr::from_matrix(pair.pose()));
   }
   Evolution started(const emtr::Starts& starts) const {
     return emtr::evolve(
@@ -203,8 +203,8 @@ TEST_F(EngineSteps, RestartsKeepWhatWasKnownAndNeverLoseTheBest) {
     EXPECT_LE(e.hypotheses[e.best].fitness, h.fitness);
     EXPECT_EQ(h.fitness, problem.alpha->evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
   }
-  EXPECT_EQ(e.lookups_evaluation, 50 * (24 * sparse + 16 * dense));
-  EXPECT_GT(e.lookups_switch, 50 * dense);  // what was left behind is scored anew, too
+  EXPECT_EQ(e.queries_evaluation, 50 * (24 * sparse + 16 * dense));
+  EXPECT_GT(e.queries_switch, 50 * dense);  // what was left behind is scored anew, too
 }
 
 TEST_F(EngineSteps, SameBitsForAnyThreads) {

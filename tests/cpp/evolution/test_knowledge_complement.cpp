@@ -4,7 +4,7 @@
 
 #include "evolution/knowledge_complement.h"
 #include "support/clouds.h"
-#include "tasks/euler.h"
+#include "geometry/euler.h"
 
 namespace {
 
@@ -60,7 +60,7 @@ TEST(KnowledgeComplement, CountsItsLookUps) {
   f.source = ball(0, 0, 0);
   f.target = f.source;
   f.settings.complement_iterations = 7;
-  EXPECT_EQ(f.complement().lookups(), 7u * 600);
+  EXPECT_EQ(f.complement().queries(), 7u * 600);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "evolution/knowledge_transfer.h"
 #include "support/clouds.h"
-#include "tasks/euler.h"
+#include "geometry/euler.h"
 
 namespace {
 
@@ -84,11 +84,11 @@ TEST_F(KnowledgeTransfer, AlongTheArcTheLambdasAreSharesOfTheWay) {
 TEST_F(KnowledgeTransfer, ReusesTheComplementWhileBetaStays) {
   emtr::KnowledgeTransfer transfer(*complement, space, settings, false);
   transfer.exchange(0, *alpha, *beta, true);
-  EXPECT_EQ(transfer.lookups(), 150u);
+  EXPECT_EQ(transfer.queries(), 150u);
   transfer.exchange(1, *alpha, *beta, false);
-  EXPECT_EQ(transfer.lookups(), 150u);
+  EXPECT_EQ(transfer.queries(), 150u);
   transfer.exchange(2, *alpha, *beta, true);
-  EXPECT_EQ(transfer.lookups(), 300u);
+  EXPECT_EQ(transfer.queries(), 300u);
 }
 
 TEST_F(KnowledgeTransfer, WithoutTheComplementAlphaKeepsItsTranslation) {
@@ -97,7 +97,7 @@ TEST_F(KnowledgeTransfer, WithoutTheComplementAlphaKeepsItsTranslation) {
   const auto guides = transfer.exchange(10, *alpha, *beta, true);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_DOUBLE_EQ(guides.alpha[k + 3], 0.1 * static_cast<double>(k + 1));
-  EXPECT_EQ(transfer.lookups(), 0u);
+  EXPECT_EQ(transfer.queries(), 0u);
 }
 
 TEST_F(KnowledgeTransfer, IsDueAsOftenAsRmpSays) {

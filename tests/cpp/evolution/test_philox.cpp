@@ -14,7 +14,7 @@ struct Vector {
 
 // Made by numpy.random.Philox: see philox_vectors.py.
 const Vector kVectors[] = {
-#include "philox_vectors.inc"
+#include "evolution/philox_vectors.inc"
 };
 
 TEST(Philox, GivesTheKnownAnswers) {

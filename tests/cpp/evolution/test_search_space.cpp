@@ -2,7 +2,7 @@
 
 #include "evolution/search_space.h"
 #include "priors/random_priors.h"
-#include "tasks/euler.h"
+#include "geometry/euler.h"
 
 namespace {
 
@@ -62,7 +62,7 @@ TEST(SearchSpace, GenesDecodeToAdmissiblePosesAndReachAllOfThem) {
         space.encode(pose, back);
         const Rigid again = space.pose(back);
         EXPECT_LT(emtr::rotation_distance(again.R, pose.R), 1e-7) << which;
-        EXPECT_LT(shift_between(again, pose), 1e-7) << which;
+        EXPECT_LT(translation_between(again, pose), 1e-7) << which;
         space.nearest_alias(back, at, alias);
         EXPECT_LT(emtr::rotation_distance(space.pose(alias).R, pose.R), 1e-7);
         for (std::size_t g = 0; g < space.angles(); ++g) {

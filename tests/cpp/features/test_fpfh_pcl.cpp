@@ -34,7 +34,7 @@ TEST(FpfhPcl, IsTheSameBitsAsTheClassesOnGeneratedClouds) {
 
 TEST(FpfhPcl, IsTheSameBitsWhereDistancesAreEqualOrPointsAreLonely) {
   Cloud cloud = emtr_test::uniform_cloud(700, 6);
-  for (int i = 0; i < 12; ++i)  // a lattice: the order of the neighbours is by row
+  for (int i = 0; i < 12; ++i)  // a lattice: the order of the neighbors is by row
     for (int j = 0; j < 12; ++j)
       emtr_test::push(cloud, 0.125f * static_cast<float>(i), 0.125f * static_cast<float>(j % 12),
                       3 + 0.03125f * static_cast<float>(i * j % 4));

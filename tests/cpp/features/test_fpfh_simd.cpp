@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-#include "features/matching.h"
-#include "support/agreement.h"
+#include "correspondences/matching.h"
+#include "support/overlap.h"
 #include "support/dense.h"
 
 namespace {
@@ -12,7 +12,7 @@ using emtr::Cloud;
 using emtr::FeatureBackend;
 using emtr::FeatureDefinition;
 using emtr::Features;
-using emtr_test::Agreement;
+using emtr_test::Overlap;
 using emtr_test::agreement;
 using emtr_test::Dense;
 
@@ -30,16 +30,16 @@ Cloud rotated(const Cloud& cloud) {
   return out;
 }
 
-/// Points that share all their neighbours have one normal but for rounding, and that rounding
+/// Points that share all their neighbors have one normal but for rounding, and that rounding
 /// chooses the sign of PCL's third angle: rotate the cloud, and PCL disagrees with itself. So that
 /// is the measure for how far the kernels may disagree with it.
-void expect_agreement(const Cloud& cloud, const FeatureDefinition& definition) {
+void expect_overlap(const Cloud& cloud, const FeatureDefinition& definition) {
   const Features pcl = described(cloud, definition, FeatureBackend::Pcl);
   const Features simd = described(cloud, definition, FeatureBackend::Simd);
-  const Agreement both = agreement(pcl, simd);
-  const Agreement itself =
+  const Overlap both = agreement(pcl, simd);
+  const Overlap itself =
       agreement(pcl, described(rotated(cloud), definition, FeatureBackend::Pcl));
-  const Agreement simd_itself =
+  const Overlap simd_itself =
       agreement(simd, described(rotated(cloud), definition, FeatureBackend::Simd));
   testing::Test::RecordProperty("moved", std::to_string(both.share()));
   testing::Test::RecordProperty("largest", std::to_string(both.largest));
@@ -70,16 +70,16 @@ void expect_the_same_matches(const Dense& d) {
 
 TEST(FpfhSimd, AgreesWithPclOnGeneratedClouds) {
   const Dense d = emtr_test::dense(emtr_test::Pair(3));
-  expect_agreement(d.source, d.definition);
-  expect_agreement(d.target, d.definition);
+  expect_overlap(d.source, d.definition);
+  expect_overlap(d.target, d.definition);
   expect_the_same_matches(d);
 }
 
-TEST(FpfhSimd, AgreesWithPclInAVolume) {  // neighbours on all sides
+TEST(FpfhSimd, AgreesWithPclInAVolume) {  // neighbors on all sides
   FeatureDefinition definition;
   definition.normal_radius = 0.2;
   definition.feature_radius = 0.4;
-  expect_agreement(emtr_test::uniform_cloud(2000, 6), definition);
+  expect_overlap(emtr_test::uniform_cloud(2000, 6), definition);
 }
 
 class FpfhSimdOnRealPairs : public testing::TestWithParam<const char*> {};
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Data, FpfhSimdOnRealPairs, testing::ValuesIn(emtr_test:
 TEST_P(FpfhSimdOnRealPairs, AgreesWithPcl) {
   if (!emtr_test::RealPair::available()) GTEST_SKIP() << "EMTR_DATA is not set";
   const Dense d = emtr_test::dense(emtr_test::RealPair(GetParam()));
-  expect_agreement(d.source, d.definition);
+  expect_overlap(d.source, d.definition);
   expect_the_same_matches(d);
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "error.h"
+#include "util/error.h"
 #include "kernels/kernels.h"
 #include "support/clouds.h"
 #include "tasks/m_estimator.h"
@@ -136,7 +136,7 @@ TEST(Kernels, ARegistrationIsTheSameBitsInEach) {
     std::vector<double> answer(result->transformation, result->transformation + 16);
     answer.insert(answer.end(), result->history_alpha, result->history_alpha + result->iterations);
     answer.insert(answer.end(), result->history_beta, result->history_beta + result->iterations);
-    answer.push_back(static_cast<double>(result->lookups_evaluation));
+    answer.push_back(static_cast<double>(result->queries_evaluation));
     answers.push_back(answer);
     emtr_result_free(result);
   }

@@ -3,7 +3,7 @@
 #include <functional>
 #include <ostream>
 
-#include "features/kdtree_neighbors.h"
+#include "neighbors/kdtree_neighbors.h"
 #include "neighbors/neighbors.h"
 #include "support/clouds.h"
 

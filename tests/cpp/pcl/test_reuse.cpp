@@ -71,7 +71,7 @@ TEST(Reuse, ChangesOfPointsInPlaceAndOfIndicesAreSeen) {
 TEST(Reuse, AnUnchangedCloudIsPreparedOnce) {
   Cloud::Ptr cloud = sharedPair().source();
   (*cloud)[9].x = kNaN;
-  pcl::detail::PreparedInput input;
+  pcl::detail::CachedCloud input;
   const auto first = input.of(*cloud, "source", 1);
   ASSERT_NE(first, nullptr);
   EXPECT_EQ(input.of(*cloud, "source", 2), first);
@@ -85,7 +85,7 @@ TEST(Reuse, AnUnchangedCloudIsPreparedOnce) {
 }
 
 TEST(Reuse, AfterAnErrorTheCloudIsLookedAtAgain) {
-  pcl::detail::PreparedInput input;
+  pcl::detail::CachedCloud input;
   Cloud few(4, 1);
   EXPECT_EQ(input.of(few, "source", 1), nullptr);
   EXPECT_NE(std::strstr(emtr_error_message(), "source cloud: 4 finite points"), nullptr);
@@ -104,8 +104,8 @@ TEST(Reuse, ThePreparationCountsInTheTimings) {
   const auto first = reg.getResult();
   again(reg);
   ASSERT_NE(reg.getResult(), nullptr);
-  EXPECT_GT(first->seconds_frame, 2 * reg.getResult()->seconds_frame);
-  EXPECT_GE(first->seconds_total, first->seconds_frame);
+  EXPECT_GT(first->seconds_normalization, 2 * reg.getResult()->seconds_normalization);
+  EXPECT_GE(first->seconds_total, first->seconds_normalization);
 }
 
 }  // namespace

@@ -28,16 +28,16 @@ inline emtr::Frame any_frame(Draw& d, double lever) {
 }
 
 /// Which limits there are; to be added up.
-enum { kGuessRotation = 1, kGuessShift = 2, kAxis = 4, kBounds = 8, kLargest = 16, kAll = 32 };
+enum { kGuessRotation = 1, kGuessTranslation = 2, kAxis = 4, kBounds = 8, kLargest = 16, kAll = 32 };
 
-/// Settings with these limits that `inside` (normalised) satisfies, some of them just so.
+/// Settings with these limits that `inside` (normalized) satisfies, some of them just so.
 inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Frame& frame, int which,
                                     Draw& d) {
   constexpr double degree = M_PI / 180;
   emtr::Settings s = emtr::preset("default");
   using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   const Eigen::Quaterniond q(Eigen::Matrix3d(Eigen::Map<const Rotation>(inside.R)));
-  if (which & (kGuessRotation | kGuessShift)) {
+  if (which & (kGuessRotation | kGuessTranslation)) {
     const double degrees = d.uniform(0, 40), away = d.uniform(0, 0.5);
     emtr::Rigid guess;
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(degrees * degree, d.direction()));
@@ -46,13 +46,13 @@ inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Frame
     s.has_guess = 1;
     emtr::to_matrix(frame.to_user(guess), s.guess);
     if (which & kGuessRotation) s.guess_rotation = degrees + d.uniform(0, 30);
-    if (which & kGuessShift) s.guess_translation = frame.scale * (away + d.uniform(0, 0.3));
+    if (which & kGuessTranslation) s.guess_translation = frame.scale * (away + d.uniform(0, 0.3));
   }
   if (which & kAxis) {
     const Eigen::AngleAxisd whole(q);
     const bool lean = d.uniform(0, 1) < 0.5;
     const Eigen::Vector3d axis = lean ? d.direction() : whole.axis();
-    const emtr::Turn turn(q, axis);
+    const emtr::SwingTwist turn(q, axis);
     if (turn.tilt > M_PI / 2) return limits_around(inside, frame, which, d);
     s.has_axis = 1;
     Eigen::Vector3d::Map(s.axis) = std::exp(d.uniform(-5, 5)) * axis;

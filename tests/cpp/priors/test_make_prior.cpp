@@ -3,7 +3,7 @@
 #include <functional>
 #include <limits>
 
-#include "error.h"
+#include "util/error.h"
 #include "priors/make_prior.h"
 #include "priors/random_priors.h"
 
@@ -146,7 +146,7 @@ TEST(MakePrior, AGuessOfFewDigitsIsARotationToAllOfThem) {
   guess(s, {20, -35, 70}, {0.1, 0.2, 0.3});
   for (int i = 0; i < 12; ++i) s.guess[i] = std::round(1e4 * s.guess[i]) / 1e4;
   ASSERT_TRUE(emtr::is_rigid(s.guess));
-  const emtr::Rigid pose = emtr::normalised_guess(s, emtr::Frame());
+  const emtr::Rigid pose = emtr::normalized_guess(s, emtr::Frame());
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       double dot = 0;

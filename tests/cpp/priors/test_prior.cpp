@@ -2,7 +2,7 @@
 
 #include "priors/prior.h"
 #include "priors/random_priors.h"
-#include "refinement/small_motion.h"
+#include "geometry/small_motion.h"
 
 namespace {
 
@@ -47,7 +47,7 @@ void expect_satisfied(const emtr::Settings& s, const emtr::Frame& frame, const R
   if (s.has_axis) {
     const Vector3d a = Vector3d::Map(s.axis).normalized();
     EXPECT_LE(std::atan2(a.cross(R * a).norm(), a.dot(R * a)), s.axis_tilt * degree + tiny);
-    const emtr::Turn turn(Eigen::Quaterniond(R), a);
+    const emtr::SwingTwist turn(Eigen::Quaterniond(R), a);
     const double middle = (s.axis_angle_minimum + s.axis_angle_maximum) / 2 * degree,
                  half = (s.axis_angle_maximum - s.axis_angle_minimum) / 2 * degree;
     EXPECT_LE(std::abs(std::remainder(turn.angle - middle, 2 * M_PI)), half + tiny);
@@ -91,10 +91,10 @@ TEST(Prior, WhatItProjectsIsAdmissibleAndStays) {
 /// First the rotation, then the translation, as the class says.
 TEST(Prior, NoAdmissiblePoseIsNearerThanThatOfASingleLimit) {
   Draw d(2);
-  for (const int which : std::initializer_list<int>{kGuessRotation, kGuessShift, kAxis, kBounds,
-                                                    kLargest, kGuessShift + kBounds})
+  for (const int which : std::initializer_list<int>{kGuessRotation, kGuessTranslation, kAxis, kBounds,
+                                                    kLargest, kGuessTranslation + kBounds})
     for (int k = 0; k < 30; ++k) {
-      const Case c(d, which, which & kBounds && which & kGuessShift ? 0 : 1);
+      const Case c(d, which, which & kBounds && which & kGuessTranslation ? 0 : 1);
       const Rigid pose = any_pose(d, 2), found = c.prior->project(pose);
       for (int j = 0; j < 300; ++j) {
         // Near what was found, where a nearer one would be.
@@ -102,11 +102,11 @@ TEST(Prior, NoAdmissiblePoseIsNearerThanThatOfASingleLimit) {
         double x[6];
         for (double& v : x) v = reach * d.gaussian();
         Rigid other = emtr::moved(found, x);
-        if (which & (kGuessShift | kBounds)) std::copy_n(found.R, 9, other.R);
+        if (which & (kGuessTranslation | kBounds)) std::copy_n(found.R, 9, other.R);
         other = c.prior->project(other);
         EXPECT_GE(angle_between(other, pose), angle_between(found, pose) - 1e-9) << which;
-        if (which & (kGuessShift | kBounds)) {
-          EXPECT_GE(shift_between(other, pose), shift_between(found, pose) - 1e-9) << which;
+        if (which & (kGuessTranslation | kBounds)) {
+          EXPECT_GE(translation_between(other, pose), translation_between(found, pose) - 1e-9) << which;
         }
       }
     }

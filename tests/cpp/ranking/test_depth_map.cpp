@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "ranking/depth_map.h"
-#include "surfaces.h"
-#include "tasks/euler.h"
+#include "ranking/surfaces.h"
+#include "geometry/euler.h"
 
 namespace {
 
@@ -66,12 +66,12 @@ TEST(DepthMap, NeedsMostOfTheBinsAboutIt) {
   EXPECT_EQ(in_front(map, {0.1, -0.2, 1}), 0u);
 }
 
-TEST(DepthMap, TheNearestOfTheNeighboursCounts) {
+TEST(DepthMap, TheNearestOfTheNeighborsCounts) {
   Cloud cloud = wall(0.04);  // a post stands before the wall
   for (int j = -25; j <= 25; ++j) emtr_test::push(cloud, 0, 0.02f * static_cast<float>(j), 1);
   const DepthMap map(cloud, kOrigin, 0.04, emtr::select_kernels());
   EXPECT_EQ(in_front(map, {0, 0.1, 1.5}), 0u);     // behind the post
-  EXPECT_EQ(in_front(map, {0.03, 0.1, 1.5}), 0u);  // just beside: in one of its neighbours' bins
+  EXPECT_EQ(in_front(map, {0.03, 0.1, 1.5}), 0u);  // just beside: in one of its neighbors' bins
   EXPECT_EQ(in_front(map, {0.2, 0.1, 1.5}), 1u);
 }
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "error.h"
+#include "util/error.h"
 #include "ranking/given_viewpoints.h"
 
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "ranking/ranking.h"
-#include "surfaces.h"
-#include "tasks/euler.h"
+#include "ranking/surfaces.h"
+#include "geometry/euler.h"
 
 namespace {
 
@@ -40,7 +40,7 @@ TEST(Ranking, IsTheFitLessTwiceTheViolation) {
   }
   const Ranking::Value right = ranking.evaluate(Rigid{}, scratch),
                        wrong = ranking.evaluate(emtr::decode(particle), scratch);
-  EXPECT_GT(right.fit.chf, 0.9);
+  EXPECT_GT(right.fit.score, 0.9);
   EXPECT_EQ(right.violation, 0);
   EXPECT_GT(right.fit.sign, 0.95);  // whatever the signs of the normals that were given
   EXPECT_GT(wrong.violation, 0.05);
@@ -66,7 +66,7 @@ TEST(Ranking, TheQuickScoreIsTheScoreOfAPart) {
   const double particle[6] = {0, 0, 1.5707963267948966, 0, 0.4, 0};
   for (const Rigid& T : {Rigid{}, emtr::decode(particle)}) {
     const Ranking::Value all = ranking.evaluate(T, scratch), some = ranking.quick(T, 8, scratch);
-    EXPECT_EQ(some.fit.chf, ranking.fit().evaluate(T, 8, scratch.fit).chf);
+    EXPECT_EQ(some.fit.score, ranking.fit().evaluate(T, 8, scratch.fit).score);
     EXPECT_EQ(some.score, some.fit.same_side - 2 * some.violation);
     EXPECT_NEAR(some.violation, all.violation, 0.05);
     EXPECT_EQ(ranking.quick(T, 1, scratch).score, all.score);
@@ -82,12 +82,12 @@ TEST(Ranking, BackOnFrontIsNoFitWhereBothSensorsAreKnown) {
   Ranking::Scratch scratch;
   Ranking given(corner(0), corner(0), kAt, kAt, kernels());
   const Ranking::Value known = given.evaluate(turned, scratch);
-  EXPECT_GT(known.fit.chf, 0.2);
+  EXPECT_GT(known.fit.score, 0.2);
   EXPECT_EQ(known.fit.same_side, 0);
   EXPECT_LE(known.score, 0);
   Ranking estimated(corner(0), corner(0), kAt, either, kernels());
   const Ranking::Value open = estimated.evaluate(turned, scratch);
-  EXPECT_EQ(open.score, open.fit.chf - 2 * open.violation);
+  EXPECT_EQ(open.score, open.fit.score - 2 * open.violation);
 }
 
 TEST(Ranking, WithoutViewpointsTheFitAlone) {
@@ -96,7 +96,7 @@ TEST(Ranking, WithoutViewpointsTheFitAlone) {
   const double particle[6] = {0, 0, 1.5707963267948966, 0, 0.4, 0};
   const Ranking::Value value = ranking.evaluate(emtr::decode(particle), scratch);
   EXPECT_EQ(value.violation, 0);
-  EXPECT_EQ(value.score, value.fit.chf);
+  EXPECT_EQ(value.score, value.fit.score);
 }
 
 TEST(Ranking, SameBitsForEveryKernel) {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "ranking/viewpoint.h"
-#include "surfaces.h"
+#include "ranking/surfaces.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "cloud.h"
-#include "refinement/surface.h"
-#include "rigid.h"
+#include "geometry/cloud.h"
+#include "refinement/downsampled_surface.h"
+#include "geometry/rigid.h"
 #include "support/bumpy_pair.h"
 #include "support/clouds.h"
 
@@ -82,7 +82,7 @@ inline double degrees_between(const emtr::Rigid& a, const emtr::Rigid& b) {
   return emtr::rotation_distance(a.R, b.R) * 180 / M_PI;
 }
 
-inline double shift_between(const emtr::Rigid& a, const emtr::Rigid& b) {
+inline double translation_between(const emtr::Rigid& a, const emtr::Rigid& b) {
   return (Eigen::Vector3d::Map(a.t) - Eigen::Vector3d::Map(b.t)).norm();
 }
 

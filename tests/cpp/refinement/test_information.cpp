@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "polisher.h"
+#include "refinement/refiner.h"
 #include "refinement/information.h"
-#include "shapes.h"
+#include "refinement/shapes.h"
 
 namespace {
 
@@ -35,7 +35,7 @@ class Ball {
       emtr_test::push(cloud, static_cast<float>(p[3 * i] / radius),
                       static_cast<float>(p[3 * i + 1] / radius),
                       static_cast<float>(p[3 * i + 2] / radius));
-    return emtr::thin_surface(cloud, leaf);
+    return emtr::downsample_surface(cloud, leaf);
   }
 
  private:
@@ -63,7 +63,7 @@ class Information : public testing::TestWithParam<Case> {};
 
 TEST_P(Information, IsTheInverseCovarianceOfRepeatedScans) {
   const auto [points, leaf, both_ways] = GetParam();
-  emtr::Polish settings;
+  emtr::LocalRefinementSettings settings;
   settings.both_ways = both_ways;
   constexpr int repeats = 40;
   // Mean squares of the errors by their forecast: of each motion, known to a sixth from so many
@@ -73,14 +73,14 @@ TEST_P(Information, IsTheInverseCovarianceOfRepeatedScans) {
   for (const std::uint64_t shape : {5u, 11u}) {
     const Ball ball(shape);
     for (std::uint64_t k = 0; k < repeats; ++k) {
-      const emtr_test::Polisher polisher(ball.scan(0.35, 100 + k, points, leaf),
+      const emtr_test::Refiner refiner(ball.scan(0.35, 100 + k, points, leaf),
                                          ball.scan(-0.35, 900 + k, points, leaf), settings);
-      emtr::LocalPolish::Scratch scratch;
-      const emtr::Polished out = (*polisher.polish)(
+      emtr::LocalRefinement::Scratch scratch;
+      const emtr::LocalRefinementResult out = (*refiner.local_refinement)(
           emtr_test::motion({0.3, -0.3, 0.2}, {0.005, 0, -0.005}), nullptr, scratch);
-      ASSERT_NE(out.end, emtr::PolishEnd::TooFewInliers);
+      ASSERT_NE(out.end, emtr::Termination::TooFewInliers);
       Matrix6 matrix;
-      emtr::information(out, polisher.polish->design_effect(out, scratch), matrix.data());
+      emtr::information(out, refiner.local_refinement->design_effect(out, scratch), matrix.data());
       EXPECT_EQ(matrix, Matrix6(matrix.transpose()));
       const Vector6 x = error_of(out.pose);
       const Vector6 forecast = matrix.inverse().diagonal();
@@ -102,14 +102,14 @@ INSTANTIATE_TEST_SUITE_P(Scans, Information,
 
 TEST(DesignEffect, CountsPairsThatSayTheSame) {
   const Ball ball(5);
-  emtr::Polish one_way;
+  emtr::LocalRefinementSettings one_way;
   one_way.both_ways = false;
-  const auto effect = [&](const emtr::Polish& settings) {
-    const emtr_test::Polisher polisher(ball.scan(0.35, 1, 12000, 0.03),
+  const auto effect = [&](const emtr::LocalRefinementSettings& settings) {
+    const emtr_test::Refiner refiner(ball.scan(0.35, 1, 12000, 0.03),
                                        ball.scan(-0.35, 2, 12000, 0.03), settings);
-    emtr::LocalPolish::Scratch scratch;
-    const emtr::Polished out = (*polisher.polish)({}, nullptr, scratch);
-    return polisher.polish->design_effect(out, scratch);
+    emtr::LocalRefinement::Scratch scratch;
+    const emtr::LocalRefinementResult out = (*refiner.local_refinement)({}, nullptr, scratch);
+    return refiner.local_refinement->design_effect(out, scratch);
   };
   const double once = effect(one_way), twice = effect({});
   EXPECT_GT(once, 1);
@@ -121,7 +121,7 @@ TEST(DesignEffect, CountsPairsThatSayTheSame) {
 TEST(InformationOfNothing, IsZero) {
   double matrix[36];
   std::fill_n(matrix, 36, 7.0);
-  emtr::information(emtr::Polished(), 1, matrix);
+  emtr::information(emtr::LocalRefinementResult(), 1, matrix);
   for (const double v : matrix) EXPECT_EQ(v, 0);
 }
 

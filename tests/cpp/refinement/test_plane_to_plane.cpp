@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "refinement/plane_to_plane.h"
-#include "refinement/small_motion.h"
-#include "shapes.h"
+#include "geometry/small_motion.h"
+#include "refinement/shapes.h"
 
 namespace {
 

@@ -2,28 +2,28 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "../ranking/surfaces.h"
+#include "ranking/surfaces.h"
 #include "refinement/refine.h"
-#include "shapes.h"
+#include "refinement/shapes.h"
 #include "support/clouds.h"
 
 namespace {
 
 using emtr::Refined;
 using emtr_test::degrees_between;
-using emtr_test::shift_between;
+using emtr_test::translation_between;
 
-/// A pair in its normalised frame, and what refinement makes of a start some way from the truth.
+/// A pair in its normalized frame, and what refinement makes of a start some way from the truth.
 struct Refinement {
   emtr_test::Pair pair;
-  emtr::NormalisedPair normalised;
+  emtr::NormalizedPair normalized;
   emtr::Settings settings = emtr::preset("default");
   emtr::Rigid truth;
 
   explicit Refinement(std::uint64_t seed, std::size_t points = 5000)
-      : pair(seed, points), normalised(emtr::normalise(pair.source(), pair.target(), 1)) {
+      : pair(seed, points), normalized(emtr::normalize(pair.source(), pair.target(), 1)) {
     settings.threads = 1;
-    truth = normalised.frame.to_normalised(emtr::from_matrix(pair.pose()));
+    truth = normalized.frame.to_normalized(emtr::from_matrix(pair.pose()));
   }
 
   emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
@@ -31,7 +31,7 @@ struct Refinement {
   }
   Refined from(const emtr::Rigid& start,
                const emtr::Kernels& kernels = emtr::select_kernels()) const {
-    return emtr::refine(emtr::fine_surfaces(normalised, settings.refine_leaf, kernels), start,
+    return emtr::refine(emtr::fine_surfaces(normalized, settings.refine_leaf, kernels), start,
                         settings, kernels, nullptr);
   }
 };
@@ -44,7 +44,7 @@ TEST(Refine, MendsADegreeAndAHundredth) {
     const Refined out = r.from(start);
     ASSERT_TRUE(out.succeeded);
     EXPECT_LT(degrees_between(out.pose, r.truth), 0.15) << seed;
-    EXPECT_LT(shift_between(out.pose, r.truth), 0.002) << seed;
+    EXPECT_LT(translation_between(out.pose, r.truth), 0.002) << seed;
     EXPECT_GT(out.rmse, 0);
     EXPECT_LT(out.rmse, 0.01);  // noise of 0.002 radii, and thinning
   }
@@ -56,15 +56,15 @@ TEST(Refine, EndsInTheSamePlaceFromAllSides) {
   const Refined b = r.from(r.off({0, -1, 0.5}, {-0.01, 0, 0}));
   ASSERT_TRUE(a.succeeded && b.succeeded);
   EXPECT_LT(degrees_between(a.pose, b.pose), 0.05);
-  EXPECT_LT(shift_between(a.pose, b.pose), 0.001);
+  EXPECT_LT(translation_between(a.pose, b.pose), 0.001);
 }
 
 TEST(Refine, SaysHowFirmlyThePoseIsHeld) {
   const Refinement r(45);
   const Refined out = r.from(r.off({0.5, 0, 0}, {0, 0, 0.005}));
   ASSERT_TRUE(out.succeeded);
-  EXPECT_EQ(out.spectrum.free, 0);
-  EXPECT_GT(out.spectrum.values[0], emtr::kFreeDirection);
+  EXPECT_EQ(out.hessian_spectrum.free, 0);
+  EXPECT_GT(out.hessian_spectrum.values[0], emtr::kUnconstrainedEigenvalue);
   using Matrix = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
   const Eigen::Map<const Matrix> information(out.information);
   EXPECT_LT((information - information.transpose()).norm(), 1e-9 * information.norm());
@@ -95,7 +95,7 @@ TEST(Refine, NeverLeavesTheModeItStartedIn) {
       EXPECT_TRUE(std::equal(start.t, start.t + 3, out.pose.t));
     }
     EXPECT_LE(degrees_between(out.pose, start), 10);
-    EXPECT_LE(shift_between(out.pose, start), 0.15);
+    EXPECT_LE(translation_between(out.pose, start), 0.15);
   }
   EXPECT_GT(failed, 0);
 }
@@ -108,7 +108,7 @@ double mean_left(std::size_t points) {
     const Refinement r(100 + seed, points);
     const Refined out = r.from(r.off({0.6, -0.6, 0.5}, {0.006, -0.006, 0.005}));
     EXPECT_TRUE(out.succeeded) << seed;
-    EXPECT_LT(shift_between(out.pose, r.truth), 0.03) << seed;
+    EXPECT_LT(translation_between(out.pose, r.truth), 0.03) << seed;
     sum += degrees_between(out.pose, r.truth);
   }
   return sum / kPairs;
@@ -142,7 +142,7 @@ TEST(Refine, IsTheSameBitsForAnyThreadsAndKernels) {
     EXPECT_TRUE(std::equal(one.pose.t, one.pose.t + 3, other.pose.t)) << what;
     EXPECT_TRUE(std::equal(one.information, one.information + 36, other.information)) << what;
     EXPECT_EQ(one.rmse, other.rmse) << what;
-    for (int i = 0; i < 6; ++i) EXPECT_EQ(one.spectrum.values[i], other.spectrum.values[i]) << what;
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(one.hessian_spectrum.values[i], other.hessian_spectrum.values[i]) << what;
   };
   for (const emtr::Kernels* k : emtr_test::kernels_here()) expect_same(r.from(start, *k), k->name);
   for (const int threads : {2, 3, 8}) {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "seeds/procrustes.h"
-#include "tasks/euler.h"
+#include "geometry/euler.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 
 #include "seeds/seeds.h"
 #include "support/clouds.h"
-#include "tasks/euler.h"
-#include "tasks/transform.h"
+#include "geometry/euler.h"
+#include "geometry/transform.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bumpy_pair.h"
-#include "cloud.h"
+#include "geometry/cloud.h"
 
 namespace emtr_test {
 

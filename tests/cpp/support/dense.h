@@ -2,10 +2,10 @@
 
 #include "clouds.h"
 #include "features/fpfh.h"
-#include "frame/densities.h"
-#include "frame/frame.h"
+#include "preprocessing/downsampling.h"
+#include "preprocessing/normalization.h"
 #include "real_pairs.h"
-#include "settings.h"
+#include "settings/settings.h"
 
 namespace emtr_test {
 
@@ -18,7 +18,7 @@ struct Dense {
 template <class AnyPair>
 Dense dense(const AnyPair& pair) {
   const emtr::Settings settings = emtr::preset("paper");
-  const emtr::Densities d = emtr::thin(emtr::normalise(pair.source(), pair.target(), 1), settings);
+  const emtr::DownsampledClouds d = emtr::thin(emtr::normalize(pair.source(), pair.target(), 1), settings);
   emtr::FeatureDefinition definition;
   definition.normal_radius = settings.normal_radius * d.leaf_dense;
   definition.feature_radius = settings.feature_radius * d.leaf_dense;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "support/clouds.h"
-#include "tasks/euler.h"
+#include "geometry/euler.h"
 #include "tasks/task_alpha.h"
 
 namespace {
@@ -11,8 +11,8 @@ namespace {
 using emtr::Cloud;
 using emtr::Rigid;
 
-emtr::Densities small_densities() {
-  emtr::Densities d;
+emtr::DownsampledClouds small_downsampled_clouds() {
+  emtr::DownsampledClouds d;
   d.leaf_sparse = 0.2;
   d.leaf_dense = 0.1;
   d.source_sparse = emtr_test::uniform_cloud(40, 1);
@@ -49,16 +49,16 @@ double oracle(const Cloud& from, const Cloud& to, const Rigid& T, double c) {
 }
 
 TEST(TaskAlpha, SparseStageIsTheSourceSum) {
-  const emtr::Densities d = small_densities();
+  const emtr::DownsampledClouds d = small_downsampled_clouds();
   const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   EXPECT_NEAR(alpha.evaluate(EMTR_STAGE_SPARSE, pose(), scratch),
               oracle(d.source_sparse, d.target_sparse, pose(), 1.5 * 0.2), 1e-3);
-  EXPECT_EQ(alpha.lookups(EMTR_STAGE_SPARSE), 40u);
+  EXPECT_EQ(alpha.queries(EMTR_STAGE_SPARSE), 40u);
 }
 
 TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
-  const emtr::Densities d = small_densities();
+  const emtr::DownsampledClouds d = small_downsampled_clouds();
   const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   const double c = 1.2 * 0.1;
@@ -66,11 +66,11 @@ TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
               oracle(d.source_dense, d.target_dense, pose(), c) +
                   oracle(d.target_dense, d.source_dense, pose().inverse(), c),
               1e-3);
-  EXPECT_EQ(alpha.lookups(EMTR_STAGE_DENSE), 350u);
+  EXPECT_EQ(alpha.queries(EMTR_STAGE_DENSE), 350u);
 }
 
 TEST(TaskAlpha, IsZeroWhereTheCloudsLieOnEachOther) {
-  emtr::Densities d = small_densities();
+  emtr::DownsampledClouds d = small_downsampled_clouds();
   d.target_dense = d.source_dense;
   const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
@@ -78,7 +78,7 @@ TEST(TaskAlpha, IsZeroWhereTheCloudsLieOnEachOther) {
 }
 
 TEST(TaskAlpha, IsWorstFarAway) {
-  const emtr::Densities d = small_densities();
+  const emtr::DownsampledClouds d = small_downsampled_clouds();
   const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   Rigid far;

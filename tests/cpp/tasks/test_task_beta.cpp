@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "support/clouds.h"
-#include "tasks/euler.h"
+#include "geometry/euler.h"
 #include "tasks/task_beta.h"
 
 namespace {

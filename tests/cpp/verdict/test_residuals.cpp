@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "../refinement/shapes.h"
-#include "error.h"
+#include "refinement/shapes.h"
+#include "util/error.h"
 #include "verdict/residuals.h"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "problem.h"
+#include "pipeline/problem.h"
 #include "support/clouds.h"
 #include "verdict/verdict.h"
 
@@ -12,7 +12,7 @@ class Verdict : public testing::Test {
  protected:
   emtr_test::Pair pair{21, 5000};
   emtr::Problem problem{pair.source(), pair.target(), emtr::preset("paper"), nullptr};
-  emtr::Rigid truth = problem.frame.to_normalised(emtr::from_matrix(pair.pose()));
+  emtr::Rigid truth = problem.frame.to_normalized(emtr::from_matrix(pair.pose()));
 
   emtr::Evolution with(std::vector<emtr::Rigid> poses) const {
     emtr::Evolution e;
@@ -34,7 +34,7 @@ TEST_F(Verdict, AcceptsTheTruth) {
   EXPECT_TRUE(v.registered);
   EXPECT_EQ(v.reason, EMTR_REASON_REGISTERED);
   EXPECT_GT(v.inlier_ratio_source, 0.6);
-  EXPECT_DOUBLE_EQ(v.mode_gap, 1 - v.fitness);  // no other mode
+  EXPECT_DOUBLE_EQ(v.fitness_gap, 1 - v.fitness);  // no other mode
 }
 
 TEST_F(Verdict, RefusesAPoseThatExplainsLittle) {
@@ -70,7 +70,7 @@ TEST_F(Verdict, ScoresTheSameFromEitherStage) {
   emtr::Evolution dense = with({truth, other}), sparse = dense;
   sparse.stage = EMTR_STAGE_SPARSE;
   sparse.hypotheses[1].fitness = 1;
-  EXPECT_DOUBLE_EQ(judge(sparse).mode_gap, judge(dense).mode_gap);
+  EXPECT_DOUBLE_EQ(judge(sparse).fitness_gap, judge(dense).fitness_gap);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from . import lookups, pairings, records, report, summary, unrelated
+from . import queries, pairings, records, report, summary, unrelated
 from .arguments import parser
 from .pairs import DataError, Pair, data_folder, read_manifest, select
 from .runner import Array, Options, Outcome, Run, Sensors, run_all
@@ -45,7 +45,7 @@ class Plan:
 
 def main(argv: list[str], engine: Engine) -> int:
     arguments = parser().parse_args(argv)
-    measure = check_lookups if arguments.lookups else measure_accuracy
+    measure = check_queries if arguments.queries else measure_accuracy
     try:
         options = make_options(arguments, engine)
         with tempfile.TemporaryDirectory() as scratch:
@@ -60,11 +60,11 @@ def main(argv: list[str], engine: Engine) -> int:
 
 def make_options(arguments: argparse.Namespace, engine: Engine) -> Options:
     settings = dict(arguments.set)
-    if arguments.lookups and "sparse_to_dense" in settings:
-        raise DataError("--lookups runs with and without sparse_to_dense: do not --set it")
-    if arguments.lookups and arguments.unrelated:
-        raise DataError("--lookups judges no pose: no --unrelated")
-    preset = arguments.preset or ("paper" if arguments.lookups else "default")
+    if arguments.queries and "sparse_to_dense" in settings:
+        raise DataError("--queries runs with and without sparse_to_dense: do not --set it")
+    if arguments.queries and arguments.unrelated:
+        raise DataError("--queries judges no pose: no --unrelated")
+    preset = arguments.preset or ("paper" if arguments.queries else "default")
     options = Options(
         preset, arguments.seed, arguments.threads, settings, arguments.viewpoints, arguments.prior
     )
@@ -132,13 +132,13 @@ def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) 
     return int(crashed or bool(arguments.require and missed))
 
 
-def check_lookups(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> int:
-    print(lookups.header(), flush=True)
+def check_queries(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> int:
+    print(queries.header(), flush=True)
     passed = 0
     for pair in plan.pairs:
-        result = lookups.check(pair, engine.register, plan.options)
+        result = queries.check(pair, engine.register, plan.options)
         passed += result.passed
-        print(lookups.row(result), flush=True)
+        print(queries.row(result), flush=True)
     print(f"{passed} of {len(plan.pairs)} pairs PASS")
     return int(bool(arguments.require and passed < len(plan.pairs)))
 

@@ -15,7 +15,7 @@ EPILOG = """examples:
   accuracy --tier all --unrelated 200             and scans that do not belong together
   accuracy --pair trex_03_01 --failures           one pair, and why runs failed
   accuracy --tier extreme --prior guess           with a guess nearby, or --prior axis
-  accuracy --tier paper --lookups                 the cost against the paper's formula
+  accuracy --tier paper --queries                 the cost against the paper's formula
 
 exit code: 0; 1 when a run crashed or, with --require, a mark was missed; 2 when nothing
 could be run (no test data, no pyemtr, a bad argument)."""
@@ -30,7 +30,7 @@ def parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = made.add_argument
-    add("--preset", help="preset of the library (default: default; paper with --lookups)")
+    add("--preset", help="preset of the library (default: default; paper with --queries)")
     add("--tier", action="append", nargs="+", metavar="TIER", help="tiers, or all (default: paper)")
     add("--pair", action="append", nargs="+", metavar="NAME", help="these pairs, whatever tier")
     add("--transforms", type=positive, default=20, metavar="N", help="motions a pair (default: 20)")
@@ -54,7 +54,7 @@ def parser() -> argparse.ArgumentParser:
     add("--json", type=Path, metavar="FILE", help="write every run to FILE")
     add("--failures", action="store_true",
         help="list the runs that failed, and whether the search or the objective did")  # fmt: skip
-    add("--lookups", action="store_true", help="check the look-ups instead of the accuracy")
+    add("--queries", action="store_true", help="check the look-ups instead of the accuracy")
     add("--require", action="store_true", help="exit 1 when the pairs miss the paper's marks, or "
         "unrelated scans are called registered")  # fmt: skip
     add("--smoke", action="store_true",

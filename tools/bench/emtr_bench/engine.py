@@ -10,7 +10,7 @@ from pyemtr.options import make_settings
 from .runner import Array, Options, Outcome, Run, Sensors, moved
 
 QUALITY = (
-    "fitness", "inlier_ratio_source", "inlier_ratio_target", "mode_gap", "overlap_source",
+    "fitness", "inlier_ratio_source", "inlier_ratio_target", "fitness_gap", "overlap_source",
     "overlap_target", "inlier_rmse", "inlier_rmse_plane",
     "confidence", "score", "fit", "violation", "score_gap",
 )  # fmt: skip
@@ -18,7 +18,7 @@ COUNTS = (
     "points_source", "points_target", "dropped_source", "dropped_target", "sparse_source",
     "sparse_target", "dense_source", "dense_target", "correspondences",
     "correspondences_found", "tims", "tims_pruned",
-    "iterations", "threads", "seeds", "candidates", "escalated", "refined", "free_directions",
+    "iterations", "threads", "seeds", "candidates", "used_fallback_search", "refined", "unconstrained_directions",
 )  # fmt: skip
 
 
@@ -47,7 +47,7 @@ class PyemtrEngine:
             result.reason,
             {name: getattr(result, name) for name in QUALITY},
             {name: getattr(result, name) for name in COUNTS},
-            result.lookups,
+            result.queries,
             result.timings,
             result.settings,
             [other.transformation for other in result.alternatives],

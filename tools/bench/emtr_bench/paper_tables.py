@@ -23,18 +23,18 @@ class Spread(NamedTuple):
 @dataclass(frozen=True)
 class PaperRow:
     rotation: Spread  # E_R, degrees
-    translation: Spread  # E_t x 100, normalised frame
-    lookups: float  # millions
-    lookups_dense: float  # millions, without sparse-to-dense
+    translation: Spread  # E_t x 100, normalized frame
+    queries: float  # millions
+    queries_dense: float  # millions, without sparse-to-dense
 
 
 def _row(
     rotation: tuple[float, float],
     translation: tuple[float, float],
-    lookups: float,
-    lookups_dense: float,
+    queries: float,
+    queries_dense: float,
 ) -> PaperRow:
-    return PaperRow(Spread(*rotation), Spread(*translation), lookups, lookups_dense)
+    return PaperRow(Spread(*rotation), Spread(*translation), queries, queries_dense)
 
 
 ROWS = {

@@ -73,7 +73,7 @@ def apply(T: Array, points: Array) -> Array:
 
 
 def frame_scale(source: Array, target: Array) -> float:
-    """One unit of the normalised frame: the larger of the clouds' radii about their centroids."""
+    """One unit of the normalized frame: the larger of the clouds' radii about their centroids."""
     radii = [np.linalg.norm(c - c.mean(axis=0), axis=1).max() for c in (source, target)]
     return float(max(radii))
 

@@ -96,7 +96,7 @@ def _outcome(outcome: Outcome) -> dict[str, Any]:
         **outcome.quality,
         **outcome.counts,
         "alternatives": [T.tolist() for T in outcome.alternatives],
-        "lookups": outcome.lookups,
+        "queries": outcome.queries,
         "seconds": outcome.seconds,
     }
 

@@ -42,7 +42,7 @@ def row(summary: PairSummary) -> str:
         summary.figures,
         paper.rotation if paper else NOTHING,
         paper.translation if paper else NOTHING,
-        paper.lookups if paper else math.nan,
+        paper.queries if paper else math.nan,
     )
 
 
@@ -53,10 +53,10 @@ def mean_rows(title: str, figures: Figures, rows: list[PairSummary]) -> str:
     if len(published) == len(rows):
         rotation = Spread(*(mean(p.rotation[i] for p in published) for i in (0, 1)))
         translation = Spread(*(mean(p.translation[i] for p in published) for i in (0, 1)))
-        lookups = mean(p.lookups for p in published)
+        queries = mean(p.queries for p in published)
         cells = ["  the paper's", f"{len(published)} rows", _number(paper_tables.MEAN_SUCCESS, 1)]
         cells += ["", "", "", "", _spread(rotation), "", _spread(translation), "", ""]
-        cells += [_number(lookups, 2), _number(paper_tables.MEAN_SECONDS, 2), "", "", ""]
+        cells += [_number(queries, 2), _number(paper_tables.MEAN_SECONDS, 2), "", "", ""]
         lines.append(_line(cells))
     return "\n".join(lines)
 
@@ -68,7 +68,7 @@ def footer(runs: list[Run], rows: list[PairSummary], average: Figures) -> str:
         f"lowest row: {lowest.name} {lowest.figures.success:.1f} % "
         f"(the paper's lowest: {paper_tables.LOWEST_SUCCESS:g} %)",
         "success: E_R < 5 degrees; joint: E_t < 0.06 too. Errors are over successes, E_t in the "
-        "normalised frame.",
+        "normalized frame.",
         "Look-ups (other: at the switch and of the complement) and seconds: means over runs.",
         f"right, or ambiguous with the truth among the alternatives (+alt%): "
         f"{_number(average.joint_or_among, 1)} %",
@@ -113,7 +113,7 @@ def failures(runs: Iterable[Run], fitness: Callable[[Run], tuple[float, float]])
         q = run.outcome.quality
         lines.append(
             f"  {_name(run)} {run.kind}: E_R {run.rotation:.2f}, E_t {run.translation:.3f}, "
-            f"{run.outcome.reason}, gap {q['mode_gap']:.3f}, inliers "
+            f"{run.outcome.reason}, gap {q['fitness_gap']:.3f}, inliers "
             f"{q['inlier_ratio_source']:.2f}/{q['inlier_ratio_target']:.2f}, "
             f"fitness {found:.4f}, of the true pose {true:.4f}: {blame}"
         )
@@ -121,14 +121,14 @@ def failures(runs: Iterable[Run], fitness: Callable[[Run], tuple[float, float]])
 
 
 def _figures_line(
-    name: str, short: str, f: Figures, rotation: Spread, translation: Spread, lookups: float
+    name: str, short: str, f: Figures, rotation: Spread, translation: Spread, queries: float
 ) -> str:
     cells = [name, short, _number(f.success, 1), _number(f.joint, 1)]
     cells += [_number(f.joint_or_among, 1), _number(f.median_rotation, 3)]
     cells += [_spread(f.rotation), _spread(rotation)]
     cells += [_spread(f.translation), _spread(translation)]
     other = f.switch + f.complement
-    cells += [_number(v, 2) for v in (f.evaluation, other, lookups, f.seconds)]
+    cells += [_number(v, 2) for v in (f.evaluation, other, queries, f.seconds)]
     cells += [_number(v, 1) for v in (f.precision, f.recall, 100.0 * f.confidence)]
     return _line(cells)
 

@@ -48,9 +48,9 @@ class Outcome:
     transformation: Array  # (4, 4), source into target; NaN when it has none
     registered: bool  # its own verdict
     reason: str
-    quality: dict[str, float]  # fitness, inlier ratios, mode_gap...
+    quality: dict[str, float]  # fitness, inlier ratios, fitness_gap...
     counts: dict[str, int]  # points, matches, threads...
-    lookups: dict[str, int]  # evaluation, switch, complement
+    queries: dict[str, int]  # evaluation, switch, complement
     seconds: dict[str, float]  # by stage, as the library measured
     settings: dict[str, Any]  # all of them, as the library held them
     alternatives: list[Array] = field(default_factory=list)  # other poses, best first
@@ -80,7 +80,7 @@ class Run:
     wall: float  # seconds around the call
     outcome: Outcome | None
     rotation: float  # degrees, NaN without a pose
-    translation: float  # normalised frame, NaN without a pose
+    translation: float  # normalized frame, NaN without a pose
     error: str = ""
     among: bool = False  # one of the alternatives is right
 
@@ -116,12 +116,12 @@ class Moved:
     source: Array
     target: Array
     motion: protocol.Motion
-    scale: float  # of the normalised frame, user's unit
+    scale: float  # of the normalized frame, user's unit
     sensors: Sensors | None = None  # when it is known where they stood
 
 
 def moved(pair: Pair, index: int) -> Moved:
-    clouds, aligned, scale = _prepared(pair)
+    clouds, aligned, scale = _preprocessed(pair)
     motion = protocol.motion(pair.name, index, aligned)
     sensors = None
     if sensors_known(pair):
@@ -132,7 +132,7 @@ def moved(pair: Pair, index: int) -> Moved:
 
 
 def pose_errors(case: Moved, T: Array) -> tuple[float, float]:
-    """E_R in degrees and E_t in the normalised frame of a pose (4, 4), source into target.
+    """E_R in degrees and E_t in the normalized frame of a pose (4, 4), source into target.
     Raises ValueError when it is not rigid."""
     T_true = case.motion.T_true
     center = case.source.mean(axis=0)
@@ -193,7 +193,7 @@ def _run_task(task: tuple[Pair, int], register: Register, options: Options) -> R
 
 
 @functools.lru_cache(maxsize=2)
-def _prepared(pair: Pair) -> tuple[Clouds, Array, float]:
+def _preprocessed(pair: Pair) -> tuple[Clouds, Array, float]:
     clouds = load(pair)
     aligned = protocol.apply(clouds.T_gt, clouds.source)
     return clouds, aligned, protocol.frame_scale(clouds.source, clouds.target)

@@ -24,7 +24,7 @@ class Figures:
     joint: float  # percent, E_t < 0.06 too
     median_rotation: float  # degrees, of successes, as all errors
     rotation: Spread  # degrees
-    translation: Spread  # x 100, normalised frame
+    translation: Spread  # x 100, normalized frame
     evaluation: float  # look-ups in millions, mean over runs
     switch: float
     complement: float
@@ -71,9 +71,9 @@ def figures(runs: list[Run]) -> Figures:
         median_rotation=statistics.median(r.rotation for r in good) if good else math.nan,
         rotation=spread([run.rotation for run in good]),
         translation=spread([100.0 * run.translation for run in good]),
-        evaluation=mean(o.lookups["evaluation"] / 1e6 for o in done),
-        switch=mean(o.lookups["switch"] / 1e6 for o in done),
-        complement=mean(o.lookups["complement"] / 1e6 for o in done),
+        evaluation=mean(o.queries["evaluation"] / 1e6 for o in done),
+        switch=mean(o.queries["switch"] / 1e6 for o in done),
+        complement=mean(o.queries["complement"] / 1e6 for o in done),
         seconds=mean(run.wall for run in runs if not run.error),
         precision=precision,
         recall=recall,

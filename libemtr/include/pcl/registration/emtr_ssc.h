@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <pcl/registration/impl/emtr_ssc_handed.hpp>
-#include <pcl/registration/impl/emtr_ssc_prepared.hpp>
+#include <pcl/registration/impl/emtr_ssc_user_input.hpp>
+#include <pcl/registration/impl/emtr_ssc_cached_cloud.hpp>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -81,7 +81,7 @@ namespace pcl {
  *
  * \note getFitnessScore() is inherited: it takes all source points whatever the indices, compares
  * max_range with squared distances, and needs an input source and one point type for both clouds.
- * Points that are not finite are no neighbours and have none, unless setSearchMethodTarget() has
+ * Points that are not finite are no neighbors and have none, unless setSearchMethodTarget() has
  * put another tree in place. getResult() has scores that do not depend on it.
  *
  * \note Other point types with x, y and z (and normal_x, normal_y, normal_z, which are rotated)
@@ -213,7 +213,7 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * matched in the place of our own FPFH. A point whose descriptor has a NaN has none. */
   template <typename FeatureCloud>
   void setSourceFeatures(const shared_ptr<FeatureCloud>& features) {
-    setFeatures(features, "setSourceFeatures", source_handed_, prepared_source_);
+    setFeatures(features, "setSourceFeatures", source_user_input_, preprocessed_source_);
   }
 
   /** \brief The same by a representation of your own, which may scale or leave out numbers. */
@@ -221,30 +221,30 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   void setSourceFeatures(
       const shared_ptr<FeatureCloud>& features,
       const PointRepresentation<typename FeatureCloud::PointType>& representation) {
-    setFeatures(features, representation, source_handed_, prepared_source_);
+    setFeatures(features, representation, source_user_input_, preprocessed_source_);
   }
 
   /** \brief Hands in descriptors of the target's points; as setSourceFeatures(). */
   template <typename FeatureCloud>
   void setTargetFeatures(const shared_ptr<FeatureCloud>& features) {
-    setFeatures(features, "setTargetFeatures", target_handed_, prepared_target_);
+    setFeatures(features, "setTargetFeatures", target_user_input_, preprocessed_target_);
   }
   template <typename FeatureCloud>
   void setTargetFeatures(
       const shared_ptr<FeatureCloud>& features,
       const PointRepresentation<typename FeatureCloud::PointType>& representation) {
-    setFeatures(features, representation, target_handed_, prepared_target_);
+    setFeatures(features, representation, target_user_input_, preprocessed_target_);
   }
 
   /** \brief Hands in normals of the source's points, in the place of the estimated ones; of any
    * length, NaN or zero where there is none. Null takes them back. */
   void setSourceNormals(const PointCloud<Normal>::ConstPtr& normals) {
-    setNormals(normals, source_handed_, prepared_source_);
+    setNormals(normals, source_user_input_, preprocessed_source_);
   }
 
   /** \brief Hands in normals of the target's points; as setSourceNormals(). */
   void setTargetNormals(const PointCloud<Normal>::ConstPtr& normals) {
-    setNormals(normals, target_handed_, prepared_target_);
+    setNormals(normals, target_user_input_, preprocessed_target_);
   }
 
   /** \brief Hands in matches in the place of our own: index_query of the source, index_match of the
@@ -254,10 +254,10 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   void setCorrespondences(const CorrespondencesConstPtr& correspondences);
 
   /** \brief Take back what was handed in. */
-  void clearSourceFeatures() { clear(source_handed_.features, prepared_source_); }
-  void clearTargetFeatures() { clear(target_handed_.features, prepared_target_); }
-  void clearSourceNormals() { clear(source_handed_.normals, prepared_source_); }
-  void clearTargetNormals() { clear(target_handed_.normals, prepared_target_); }
+  void clearSourceFeatures() { clear(source_user_input_.features, preprocessed_source_); }
+  void clearTargetFeatures() { clear(target_user_input_.features, preprocessed_target_); }
+  void clearSourceNormals() { clear(source_user_input_.normals, preprocessed_source_); }
+  void clearTargetNormals() { clear(target_user_input_.normals, preprocessed_target_); }
   void clearCorrespondences() { setCorrespondences(nullptr); }
 
   /** \brief Sets what is told of the progress, on the thread that calls align(); an empty function
@@ -314,19 +314,19 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   static void fillViewpoint(const Eigen::Vector4f& sensor_origin, std::int32_t& known,
                             double (&position)[3]);
 
-  static void clear(detail::HandedRows& handed, detail::PreparedInput& prepared);
+  static void clear(detail::UserRows& handed, detail::CachedCloud& preprocessed);
 
-  static void setNormals(const PointCloud<Normal>::ConstPtr& normals, detail::HandedIn& handed,
-                         detail::PreparedInput& prepared);
+  static void setNormals(const PointCloud<Normal>::ConstPtr& normals, detail::UserInput& handed,
+                         detail::CachedCloud& preprocessed);
 
   template <typename FeatureCloud>
   void setFeatures(const shared_ptr<FeatureCloud>& features, const char* setter,
-                   detail::HandedIn& handed, detail::PreparedInput& prepared);
+                   detail::UserInput& handed, detail::CachedCloud& preprocessed);
 
   template <typename FeatureCloud>
   void setFeatures(const shared_ptr<FeatureCloud>& features,
                    const PointRepresentation<typename FeatureCloud::PointType>& representation,
-                   detail::HandedIn& handed, detail::PreparedInput& prepared);
+                   detail::UserInput& handed, detail::CachedCloud& preprocessed);
 
   /** \brief Whether setIndices() selects the source as it is. */
   [[nodiscard]] bool selectsAll() const;
@@ -334,7 +334,7 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   /** \brief Makes the clouds ready with what was handed in, and \a pairs of the correspondences.
    * \return false, with the message kept, on an error */
   bool prepare(const PointCloudSource& source, std::int32_t threads,
-               std::shared_ptr<const emtr_prepared> (&prepared)[2],
+               std::shared_ptr<const emtr_preprocessed> (&preprocessed)[2],
                std::vector<std::int32_t>& pairs);
 
   /** \brief Of one point type: by the base class. */
@@ -357,8 +357,8 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   ProgressCallback progress_;
   ResultConstPtr result_;
   std::string error_message_;
-  detail::PreparedInput prepared_source_, prepared_target_;
-  detail::HandedIn source_handed_, target_handed_;
+  detail::CachedCloud preprocessed_source_, preprocessed_target_;
+  detail::UserInput source_user_input_, target_user_input_;
   std::vector<std::int32_t> pairs_;  // of the correspondences
   bool has_correspondences_ = false;
 

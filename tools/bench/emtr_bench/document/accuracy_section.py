@@ -57,7 +57,7 @@ def _pair(pair: dict[str, Any]) -> list[str]:
         number(pair["translation_mean"], 3),
         number(paper["translation"][0], 3),
         number(pair["evaluation"]),
-        number(paper["lookups"]),
+        number(paper["queries"]),
         number(pair["seconds"], 3),
     ]
 

@@ -65,7 +65,7 @@ def neighbors_section(value: dict[str, Any]) -> str:
     becomes its median."""
     parts = []
     for text, counter in (
-        ("Nanoseconds a nearest neighbour look-up, one thread.", "look_up"),
+        ("Nanoseconds a nearest neighbor look-up, one thread.", "look_up"),
         ("Nanoseconds a point to make the structure, one thread.", "a_point"),
     ):
         chosen = [b for b in value["benchmarks"] if b["run_type"] == "iteration" and counter in b]

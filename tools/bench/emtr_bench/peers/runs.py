@@ -37,7 +37,7 @@ class PeerRun:
     T_est: Array | None
     seconds: float  # NaN without a pose
     rotation: float  # degrees, NaN without a pose
-    translation: float  # normalised frame, NaN without a pose
+    translation: float  # normalized frame, NaN without a pose
     error: str = ""
 
     @property

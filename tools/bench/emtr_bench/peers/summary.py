@@ -29,7 +29,7 @@ class MethodRow:
     success: float  # percent of runs, lost ones among the failures
     mean_rotation: float  # degrees, over successes, as all errors
     median_rotation: float
-    mean_translation: float  # normalised frame
+    mean_translation: float  # normalized frame
     median_translation: float
     seconds: Quartiles  # wall, of runs that gave a pose
 

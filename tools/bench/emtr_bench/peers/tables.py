@@ -10,7 +10,7 @@ from .summary import MethodRow, Quartiles, Ratio, method_rows, ratios
 _METHOD = "{:<30}{:>5}{:>6}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>17}"
 _RATIO = "{:<24}{:<32}{:>6}{:>9}{:>17}"
 FOOTER = (
-    "success: E_R < 5 degrees and E_t < 0.06 in the normalised frame; a run without a pose is a "
+    "success: E_R < 5 degrees and E_t < 0.06 in the normalized frame; a run without a pose is a "
     "failure.\nE_R in degrees and E_t x 100 over the successes. Seconds: wall, around the call, of "
     "the runs that gave a pose.\nTime ratio: our seconds / the other's, pair by pair; below 1 "
     "ours is the faster."

@@ -38,7 +38,7 @@ void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setInputSource(
   PCL_ERROR("[pcl::%s::setInputSource] Null or empty cloud given, no source is left.\n",
             getClassName().c_str());
   input_.reset();
-  prepared_source_.forget();
+  preprocessed_source_.forget();
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -53,7 +53,7 @@ void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setInputTarget(
             getClassName().c_str());
   target_.reset();
   target_cloud_updated_ = true;
-  prepared_target_.forget();
+  preprocessed_target_.forget();
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -263,35 +263,35 @@ void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::computeTransformatio
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
-void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::clear(detail::HandedRows& handed,
-                                                                  detail::PreparedInput& prepared) {
-  handed = detail::HandedRows();
-  prepared.forget();
+void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::clear(detail::UserRows& handed,
+                                                                  detail::CachedCloud& preprocessed) {
+  handed = detail::UserRows();
+  preprocessed.forget();
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setNormals(
-    const PointCloud<Normal>::ConstPtr& normals, detail::HandedIn& handed,
-    detail::PreparedInput& prepared) {
-  clear(handed.normals, prepared);
+    const PointCloud<Normal>::ConstPtr& normals, detail::UserInput& handed,
+    detail::CachedCloud& preprocessed) {
+  clear(handed.normals, preprocessed);
   if (normals) handed.normals = detail::packNormals(*normals);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 template <typename FeatureCloud>
 void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setFeatures(
-    const shared_ptr<FeatureCloud>& features, const char* setter, detail::HandedIn& handed,
-    detail::PreparedInput& prepared) {
+    const shared_ptr<FeatureCloud>& features, const char* setter, detail::UserInput& handed,
+    detail::CachedCloud& preprocessed) {
   using Default = detail::DefaultFeature<typename FeatureCloud::PointType>;
   if (features && !Default::known()) {
     PCL_ERROR(
         "[pcl::%s::%s] PCL knows no representation of this type of features, give one; no "
         "features are left.\n",
         getClassName().c_str(), setter);
-    clear(handed.features, prepared);
+    clear(handed.features, preprocessed);
     return;
   }
-  setFeatures(features, Default::make(), handed, prepared);
+  setFeatures(features, Default::make(), handed, preprocessed);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -299,8 +299,8 @@ template <typename FeatureCloud>
 void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setFeatures(
     const shared_ptr<FeatureCloud>& features,
     const PointRepresentation<typename FeatureCloud::PointType>& representation,
-    detail::HandedIn& handed, detail::PreparedInput& prepared) {
-  clear(handed.features, prepared);
+    detail::UserInput& handed, detail::CachedCloud& preprocessed) {
+  clear(handed.features, preprocessed);
   if (features) handed.features = detail::packFeatures(*features, representation);
 }
 
@@ -327,9 +327,9 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::selectsAll() const {
 template <typename PointSource, typename PointTarget, typename Scalar>
 bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::prepare(
     const PointCloudSource& source, std::int32_t threads,
-    std::shared_ptr<const emtr_prepared> (&prepared)[2], std::vector<std::int32_t>& pairs) {
-  error_message_ = source_handed_.mismatch("source", input_->size());
-  if (error_message_.empty()) error_message_ = target_handed_.mismatch("target", target_->size());
+    std::shared_ptr<const emtr_preprocessed> (&preprocessed)[2], std::vector<std::int32_t>& pairs) {
+  error_message_ = source_user_input_.mismatch("source", input_->size());
+  if (error_message_.empty()) error_message_ = target_user_input_.mismatch("target", target_->size());
   const bool all = selectsAll();
   pairs = pairs_;
   if (!all)
@@ -342,14 +342,14 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::prepare(
   if (!all) pairs = detail::renumbered(pairs_, *indices_, input_->size());
 
   const bool keep = has_correspondences_;
-  if (all || source_handed_.empty())
-    prepared[0] = prepared_source_.of(source, "source", threads, source_handed_, keep);
+  if (all || source_user_input_.empty())
+    preprocessed[0] = preprocessed_source_.of(source, "source", threads, source_user_input_, keep);
   else  // made anew: other points may have the same coordinates
-    prepared[0] = detail::PreparedInput().of(source, "source", threads,
-                                             source_handed_.selected(*indices_), keep);
-  if (prepared[0])
-    prepared[1] = prepared_target_.of(*target_, "target", threads, target_handed_, keep);
-  if (prepared[1]) return true;
+    preprocessed[0] = detail::CachedCloud().of(source, "source", threads,
+                                             source_user_input_.selected(*indices_), keep);
+  if (preprocessed[0])
+    preprocessed[1] = preprocessed_target_.of(*target_, "target", threads, target_user_input_, keep);
+  if (preprocessed[1]) return true;
   error_message_ = emtr_error_message();
   return false;
 }
@@ -366,9 +366,9 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointClo
   fillViewpoint(input_->sensor_origin_, settings.has_viewpoint_source, settings.viewpoint_source);
   fillViewpoint(target_->sensor_origin_, settings.has_viewpoint_target, settings.viewpoint_target);
   const auto start = std::chrono::steady_clock::now();
-  std::shared_ptr<const emtr_prepared> prepared[2];
+  std::shared_ptr<const emtr_preprocessed> preprocessed[2];
   std::vector<std::int32_t> pairs;
-  if (!prepare(source, settings.threads, prepared, pairs)) return false;
+  if (!prepare(source, settings.threads, preprocessed, pairs)) return false;
   if (has_correspondences_) {
     settings.correspondence_count = pairs.size() / 2;
     pairs.push_back(0);  // an empty list has an address too
@@ -382,7 +382,7 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointClo
 
   detail::ProgressRelay relay(progress_);
   emtr_result* result = nullptr;
-  const emtr_status status = emtr_register_prepared(prepared[0].get(), prepared[1].get(), &settings,
+  const emtr_status status = emtr_register_preprocessed(preprocessed[0].get(), preprocessed[1].get(), &settings,
                                                     relay.function(), &relay, &result);
   if (status != EMTR_OK) error_message_ = emtr_error_message();
   ResultConstPtr owned(result,
@@ -392,7 +392,7 @@ bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::solve(const PointClo
     std::rethrow_exception(relay.thrown());
   }
   if (result) {
-    result->seconds_frame += seconds.count();
+    result->seconds_normalization += seconds.count();
     result->seconds_total += seconds.count();
   }
   result_ = std::move(owned);

@@ -11,9 +11,9 @@ namespace pcl {
 namespace detail {
 
 /** \brief A kd-tree that answers where PCL's stops the process: a query that is not finite has no
- * neighbours, and neither has any query of an index without a finite point.
+ * neighbors, and neither has any query of an index without a finite point.
  *
- * Registration::getFitnessScore() asks for the neighbour of every source point and reads the first
+ * Registration::getFitnessScore() asks for the neighbor of every source point and reads the first
  * distance without looking whether there is one: so it finds an infinite distance there. */
 template <typename PointT>
 class FiniteKdTree : public search::KdTree<PointT> {

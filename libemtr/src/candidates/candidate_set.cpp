@@ -1,0 +1,60 @@
+#include "candidates/candidate_set.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/pose_distance.h"
+
+namespace emtr {
+
+std::vector<Rigid> CandidateSet::shortlist(const std::vector<Rigid>& poses, std::size_t most,
+                                   ThreadTeam& team) const {
+  std::vector<double> quick(poses.size());
+  std::vector<Ranking::Scratch> scratch(team.size());
+  team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
+    quick[i] = surfaces_.ranking().quick(poses[i], SurfacePair::kQuickStep, scratch[thread]).score;
+  });
+  std::vector<std::size_t> order(poses.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return quick[a] > quick[b]; });
+  std::vector<Rigid> sorted;
+  sorted.reserve(poses.size());
+  for (const std::size_t i : order) sorted.push_back(poses[i]);
+  return distinct(sorted, kDuplicatePose, most);
+}
+
+void CandidateSet::add(const std::vector<Rigid>& poses, ThreadTeam& team) {
+  std::vector<std::optional<Candidate>> fresh(poses.size());
+  std::vector<Scratch> scratch(team.size());
+  try {
+    team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
+      fresh[i] = judged(poses[i], scratch[thread]);
+    });
+  } catch (const Cancelled&) {
+    take_in(fresh);
+    throw;
+  }
+  take_in(fresh);
+}
+
+void CandidateSet::take_in(const std::vector<std::optional<Candidate>>& fresh) {
+  for (const auto& candidate : fresh)
+    if (candidate) ranked_.push_back(*candidate);
+  std::stable_sort(ranked_.begin(), ranked_.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  ranked_ = distinct(ranked_, kDuplicatePose, ranked_.size());
+}
+
+Candidate CandidateSet::judged(const Rigid& start, Scratch& scratch) const {
+  const Ranking& ranking = surfaces_.ranking();
+  const auto quick = [&](const Rigid& pose) {
+    return ranking.quick(pose, SurfacePair::kQuickStep, scratch.ranking).score;
+  };
+  Rigid pose = surfaces_.local_refinement()(start, prior_, scratch.local_refinement).pose;
+  if (quick(pose) < quick(start)) pose = start;  // polish can run off along a plane
+  const Ranking::Value v = ranking.evaluate(pose, scratch.ranking);
+  return {pose, v.fit, v.violation, v.score};
+}
+
+}  // namespace emtr

@@ -1,0 +1,97 @@
+#include "correspondences/user_correspondences.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "util/error.h"
+#include "util/cancellation.h"
+
+namespace emtr {
+namespace {
+
+constexpr std::size_t kLeast = 3;  // that a pose can be made of
+
+/// One side of the matches.
+class Side {
+ public:
+  Side(const PreprocessedCloud& cloud, double scale, const char* name)
+      : cloud_(cloud), factor_(cloud.radius / scale), name_(name) {}
+
+  /// Throws Error on a row that there is not.
+  void require(std::int32_t row, std::size_t pair) const {
+    float p[3];
+    const auto refuse = [&](const std::string& what) {
+      throw Error(EMTR_ERROR_ARGUMENT, "correspondences: row " + std::to_string(pair) + ": " +
+                                           name_ + " point " + std::to_string(row) + what);
+    };
+    if (row < 0 || static_cast<std::size_t>(row) >= cloud_.rows())
+      refuse(", expected 0 to " + std::to_string(cloud_.rows() - 1));
+    if (!cloud_.find(static_cast<std::size_t>(row), p)) refuse(" is not finite");
+  }
+
+  /// The points that are named.
+  FeatureCloud points(const std::vector<Correspondence>& matches,
+                      std::int32_t Correspondence::*side) const {
+    std::set<std::int32_t> named;
+    for (const Correspondence& match : matches) named.insert(match.*side);
+    FeatureCloud out;
+    out.rows.assign(named.begin(), named.end());
+    out.points.resize(named.size());
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      float p[3];
+      cloud_.find(static_cast<std::size_t>(out.rows[i]), p);
+      out.points.set(i, p);
+    }
+    out.points = scaled(out.points, factor_);
+    return out;
+  }
+
+ private:
+  const PreprocessedCloud& cloud_;
+  double factor_;
+  std::string name_;
+};
+
+std::int32_t place(const std::vector<std::int32_t>& rows, std::int32_t row) {
+  return static_cast<std::int32_t>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
+}
+
+}  // namespace
+
+UserCorrespondences load_user_correspondences(const NormalizedPair& pair, const std::int32_t* rows,
+                             std::size_t count, std::size_t most) {
+  const Side source(*pair.preprocessed_source, pair.frame.scale, "source"),
+      target(*pair.preprocessed_target, pair.frame.scale, "target");
+  std::set<std::pair<std::int32_t, std::int32_t>> known;
+  std::vector<Correspondence> distinct;
+  for (std::size_t i = 0; i < count; ++i) {
+    check_cancelled_each(i, 10);
+    const Correspondence match{rows[2 * i], rows[2 * i + 1]};
+    source.require(match.source, i);
+    target.require(match.target, i);
+    if (known.emplace(match.source, match.target).second) distinct.push_back(match);
+  }
+  if (distinct.size() < kLeast)
+    throw Error(EMTR_ERROR_ARGUMENT, "correspondences: " + std::to_string(distinct.size()) +
+                                         " different ones, expected at least " +
+                                         std::to_string(kLeast));
+  UserCorrespondences out;
+  out.correspondences = spread(distinct, most);
+  out.clouds.source = source.points(out.correspondences, &Correspondence::source);
+  out.clouds.target = target.points(out.correspondences, &Correspondence::target);
+  for (Correspondence& match : out.correspondences)
+    match = {place(out.clouds.source.rows, match.source),
+             place(out.clouds.target.rows, match.target)};
+  return out;
+}
+
+std::vector<Correspondence> spread(const std::vector<Correspondence>& all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<Correspondence> out;
+  for (std::size_t k = 0; k < most; ++k) out.push_back(all[k * all.size() / most]);
+  return out;
+}
+
+}  // namespace emtr

@@ -1,0 +1,55 @@
+#include "preprocessing/base_points.h"
+
+#include "voxels/voxel_order.h"
+#include "voxels/voxel_grid.h"
+#include "util/thread_team.h"
+#include "preprocessing/slab_voxel_grid.h"
+
+namespace emtr {
+namespace {
+
+constexpr std::size_t kMost = 1u << 20;  // above it the leaf is doubled
+
+}  // namespace
+
+BasePoints all_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
+                      int threads) {
+  std::vector<std::size_t> first(reader.blocks());
+  std::size_t count = 0;
+  for (std::size_t block = 0; block < first.size(); ++block) {
+    first[block] = count;
+    count += extent.finite[block];
+  }
+  BasePoints out;
+  out.points.resize(count);
+  if (normals) out.normals.resize(count);
+  parallel_for(first.size(), threads, [&](std::size_t block) {
+    std::size_t row = first[block];
+    reader.each_finite(block, [&](std::size_t i, const double* p) {
+      float q[3];
+      extent.to_unit_ball(p, q);
+      out.points.set(row, q);
+      if (normals) {
+        normals->read_direction(block * CloudReader::kBlock + i, q);
+        out.normals.set(row, q);
+      }
+      ++row;
+    });
+  });
+  return out;
+}
+
+BasePoints base_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
+                       int threads) {
+  if (extent.count <= kThinnedAbove) return all_points(reader, normals, extent, threads);
+  float leaf = kBaseLeaf;
+  BasePoints out = voxel_grid_by_slabs(reader, normals, extent, leaf, threads);
+  while (out.points.size() > kMost) {
+    leaf *= 2;
+    if (normals) out.normals = mean_normals(out.points, out.normals, leaf);
+    out.points = voxel_grid(out.points, leaf);
+  }
+  return out;
+}
+
+}  // namespace emtr

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "preprocessing/cloud_reader.h"
+
+namespace emtr {
+
+/// Where a cloud lies and how far it reaches, the user's unit.
+struct Extent {
+  std::vector<std::size_t> finite;  ///< points of each block of the reader
+  std::size_t count = 0;            ///< of them in all
+  double center[3] = {};            ///< centroid
+  double radius = 0;                ///< largest distance from it
+  int longest = 0;                  ///< the axis along which the cloud varies most
+
+  void to_unit_ball(const double p[3], float out[3]) const {
+    const double inverse = 1 / radius;
+    for (int k = 0; k < 3; ++k) out[k] = static_cast<float>((p[k] - center[k]) * inverse);
+  }
+};
+
+/// Two passes, in double. Throws Error, naming the cloud, when it has fewer than 10 finite points,
+/// all of them on one point or one line, or coordinates too large to square.
+Extent measure(const CloudReader& reader, const std::string& name, int threads);
+
+}  // namespace emtr

@@ -1,0 +1,110 @@
+#include "preprocessing/keypoints.h"
+
+#include <cmath>
+#include <limits>
+
+#include "voxels/voxel_order.h"
+#include "util/cancellation.h"
+#include "preprocessing/base_points.h"
+
+namespace emtr {
+namespace {
+
+constexpr std::size_t kLargestDimension = 65536;
+constexpr int kPollShift = 8;  // so many of the largest are read in some 10 ms
+
+/// The caller's descriptors, read where they are.
+class FeatureReader {
+ public:
+  FeatureReader(const emtr_cloud& cloud, const std::string& name)
+      : first_(reinterpret_cast<const char*>(cloud.features)), dimension_(cloud.feature_dimension) {
+    const auto refuse = [&](const std::string& what) {
+      throw Error(EMTR_ERROR_ARGUMENT, name + ": " + what);
+    };
+    if (!first_) refuse("feature_dimension is given, but features is null");
+    if (dimension_ < 1 || dimension_ > kLargestDimension)
+      refuse("feature_dimension is " + std::to_string(dimension_) + ", expected 1 to " +
+             std::to_string(kLargestDimension));
+    const std::size_t packed = dimension_ * sizeof(float);
+    if (cloud.feature_stride && cloud.feature_stride < packed)
+      refuse("feature_stride is " + std::to_string(cloud.feature_stride) +
+             " bytes, expected 0 or at least " + std::to_string(packed));
+    if (cloud.count > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+      refuse("features are taken of at most 2147483647 points");
+    stride_ = cloud.feature_stride ? cloud.feature_stride : packed;
+  }
+
+  /// Reads one; false when it is not finite.
+  bool read(std::size_t index, float* out) const {
+    std::memcpy(out, first_ + index * stride_, dimension_ * sizeof(float));
+    for (std::size_t d = 0; d < dimension_; ++d)
+      if (!std::isfinite(out[d])) return false;
+    return true;
+  }
+
+ private:
+  const char* first_;
+  std::size_t dimension_, stride_ = 0;
+};
+
+/// The places of those to keep, ascending.
+template <class Value>
+void keep(std::vector<Value>& values, const std::vector<std::uint32_t>& places) {
+  for (std::size_t k = 0; k < places.size(); ++k) values[k] = values[places[k]];
+  values.resize(places.size());
+}
+
+void keep(Cloud& cloud, const std::vector<std::uint32_t>& places) {
+  for (auto* axis : {&cloud.x, &cloud.y, &cloud.z}) keep(*axis, places);
+}
+
+}  // namespace
+
+Keypoints keypoints(const emtr_cloud& cloud, const CloudReader& reader,
+                                 const Extent& extent, const std::string& name) {
+  Keypoints out;
+  if (!cloud.features && !cloud.feature_dimension) return out;
+  const FeatureReader features(cloud, name);
+  out.dimension = cloud.feature_dimension;
+  std::vector<float> descriptor(out.dimension);
+  for (std::size_t block = 0; block < reader.blocks(); ++block)
+    reader.each_finite(block, [&](std::size_t i, const double* p) {
+      check_cancelled_each(i, kPollShift);
+      const std::size_t row = block * CloudReader::kBlock + i;
+      if (!features.read(row, descriptor.data())) return;
+      float q[3];
+      extent.to_unit_ball(p, q);
+      out.points.x.push_back(q[0]);
+      out.points.y.push_back(q[1]);
+      out.points.z.push_back(q[2]);
+      out.rows.push_back(static_cast<std::int32_t>(row));
+    });
+  if (out.rows.empty())
+    throw Error(EMTR_ERROR_ARGUMENT,
+                name + ": features are given, but no finite point has one that is finite");
+  if (out.rows.size() > kThinnedAbove) {
+    const auto kept = one_row_per_voxel(out.points, kBaseLeaf);
+    keep(out.points, kept);
+    keep(out.rows, kept);
+  }
+  out.descriptors.resize(out.rows.size() * out.dimension);
+  for (std::size_t k = 0; k < out.rows.size(); ++k) {
+    check_cancelled_each(k, kPollShift);
+    features.read(static_cast<std::size_t>(out.rows[k]), &out.descriptors[k * out.dimension]);
+  }
+  return out;
+}
+
+Keypoints thinned(const Keypoints& described, float leaf) {
+  Keypoints out = described;
+  const auto kept = one_row_per_voxel(described.points, leaf);
+  keep(out.points, kept);
+  keep(out.rows, kept);
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    std::copy_n(&described.descriptors[kept[k] * out.dimension], out.dimension,
+                &out.descriptors[k * out.dimension]);
+  out.descriptors.resize(kept.size() * out.dimension);
+  return out;
+}
+
+}  // namespace emtr

@@ -1,0 +1,64 @@
+#include "preprocessing/normalization.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace emtr {
+namespace {
+
+Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(const Rigid& pose) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.R);
+}
+
+}  // namespace
+
+Cloud scaled(const Cloud& cloud, double factor) {
+  Cloud out = cloud;
+  if (factor == 1) return out;
+  for (auto* axis : {&out.x, &out.y, &out.z})
+    for (float& v : *axis) v = static_cast<float>(v * factor);
+  return out;
+}
+
+NormalizedPair normalize(PreprocessedCloudPtr source, PreprocessedCloudPtr target) {
+  NormalizedPair pair;
+  pair.frame.scale = std::max(source->radius, target->radius);
+  std::copy_n(source->center, 3, pair.frame.center_source);
+  std::copy_n(target->center, 3, pair.frame.center_target);
+  pair.source = scaled(source->base, source->radius / pair.frame.scale);
+  pair.target = scaled(target->base, target->radius / pair.frame.scale);
+  pair.preprocessed_source = std::move(source);
+  pair.preprocessed_target = std::move(target);
+  return pair;
+}
+
+bool trust_normals(const NormalizedPair& pair) {
+  return pair.preprocessed_source->normals.size() && pair.preprocessed_target->normals.size();
+}
+
+NormalizedPair normalize(const emtr_cloud& source, const emtr_cloud& target, int threads) {
+  auto preprocessed_source = std::make_shared<const PreprocessedCloud>(source, "source", threads);
+  auto preprocessed_target = std::make_shared<const PreprocessedCloud>(target, "target", threads);
+  return normalize(std::move(preprocessed_source), std::move(preprocessed_target));
+}
+
+Rigid Frame::to_user(const Rigid& pose) const {
+  Rigid out = pose;
+  Eigen::Vector3d::Map(out.t) = scale * Eigen::Vector3d::Map(pose.t) +
+                                Eigen::Vector3d::Map(center_target) -
+                                rotation(pose) * Eigen::Vector3d::Map(center_source);
+  return out;
+}
+
+Rigid Frame::to_normalized(const Rigid& pose) const {
+  Rigid out = pose;
+  Eigen::Vector3d::Map(out.t) =
+      (Eigen::Vector3d::Map(pose.t) + rotation(pose) * Eigen::Vector3d::Map(center_source) -
+       Eigen::Vector3d::Map(center_target)) /
+      scale;
+  return out;
+}
+
+}  // namespace emtr

@@ -1,0 +1,85 @@
+#include "preprocessing/preprocessed_cloud.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "neighbors/resolution.h"
+#include "util/cancellation.h"
+
+namespace emtr {
+
+namespace {
+
+std::vector<std::int64_t> finite_rows(const CloudReader& reader) {
+  std::vector<std::int64_t> out;
+  for (std::size_t block = 0; block < reader.blocks(); ++block) {
+    check_cancelled();
+    reader.each_finite(block, [&](std::size_t i, const double*) {
+      out.push_back(static_cast<std::int64_t>(block * CloudReader::kBlock + i));
+    });
+  }
+  return out;
+}
+
+bool any_direction(const Cloud& normals) {
+  return std::any_of(normals.x.begin(), normals.x.end(), [](float x) { return x == x; });
+}
+
+}  // namespace
+
+PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string& name, int threads)
+    : title_(name.empty() ? "cloud" : name + " cloud") {
+  const CloudReader reader(cloud, title_);
+  if (reader.count() <= kThinnedAbove) threads = 1;  // sooner done than others are awake
+  const Extent extent = measure(reader, title_, threads);
+  count = extent.count;
+  dropped = reader.count() - count;
+  std::copy_n(extent.center, 3, center);
+  radius = extent.radius;
+  std::optional<NormalReader> directions;
+  if (cloud.normals)
+    directions.emplace(emtr_cloud{cloud.normals, cloud.count, cloud.normal_stride, cloud.scalar},
+                       title_ + "'s normals");
+  const NormalReader* const reads = directions ? &*directions : nullptr;
+  BasePoints made = base_points(reader, reads, extent, threads);
+  base = std::move(made.points);
+  normals = std::move(made.normals);
+  if (directions && !any_direction(normals))
+    throw Error(
+        EMTR_ERROR_ARGUMENT,
+        title_ +
+            ": normals are given, but no finite point has one that is finite and has a length");
+  described = keypoints(cloud, reader, extent, title_);
+  const bool whole = count <= kThinnedAbove;
+  if (!whole && cloud.keep_points) kept_ = all_points(reader, nullptr, extent, threads).points;
+  if (dropped && (whole || cloud.keep_points)) finite_ = finite_rows(reader);
+}
+
+bool PreprocessedCloud::find(std::size_t row, float p[3]) const {
+  const Cloud& all = count <= kThinnedAbove ? base : kept_;
+  if (all.size() == 0)
+    throw Error(EMTR_ERROR_ARGUMENT, title_ +
+                                         ": prepared without keep_points, expected it for "
+                                         "correspondences of a cloud of more than " +
+                                         std::to_string(kThinnedAbove) + " points");
+  if (!finite_.empty()) {
+    const auto at =
+        std::lower_bound(finite_.begin(), finite_.end(), static_cast<std::int64_t>(row));
+    if (at == finite_.end() || *at != static_cast<std::int64_t>(row)) return false;
+    row = static_cast<std::size_t>(at - finite_.begin());
+  }
+  p[0] = all.x[row];
+  p[1] = all.y[row];
+  p[2] = all.z[row];
+  return true;
+}
+
+double PreprocessedCloud::spacing() const {
+  constexpr std::size_t enough = 2000;  // for a mean to a per cent or so
+  double known = spacing_.load();
+  if (known < 0) spacing_ = known = mean_spacing(base, enough);
+  return known;
+}
+
+}  // namespace emtr

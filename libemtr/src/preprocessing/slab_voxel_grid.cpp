@@ -1,0 +1,126 @@
+#include "preprocessing/slab_voxel_grid.h"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "voxels/voxel_order.h"
+#include "voxels/voxel_grid.h"
+#include "util/thread_team.h"
+
+namespace emtr {
+namespace {
+
+constexpr std::size_t kSlabPoints = 1u << 16;  // a slab and its filter stay in the caches
+
+/// The finite points of one block by layer: their places, and where each layer begins among them.
+struct Block {
+  std::vector<std::uint16_t> places;
+  std::vector<std::uint32_t> begin;
+};
+
+/// Which layer of voxels a coordinate in the unit ball lies in.
+class Layers {
+ public:
+  explicit Layers(float leaf) : inverse_(1.0f / leaf), half_(std::ceil(inverse_) + 1) {}
+  std::size_t size() const { return static_cast<std::size_t>(2 * half_ + 1); }
+  std::size_t of(float v) const {  // as PCL bins
+    return static_cast<std::size_t>(std::floor(v * inverse_) + half_);
+  }
+
+ private:
+  float inverse_, half_;
+};
+
+Block sorted(const CloudReader& reader, std::size_t number, const Extent& extent,
+             const Layers& layers) {
+  Block block;
+  block.places.resize(extent.finite[number]);
+  block.begin.assign(layers.size() + 1, 0);
+  std::vector<std::uint16_t> layer, place;
+  layer.reserve(block.places.size());
+  place.reserve(block.places.size());
+  reader.each_finite(number, [&](std::size_t i, const double* p) {
+    float q[3];
+    extent.to_unit_ball(p, q);
+    const std::size_t at = layers.of(q[extent.longest]);
+    layer.push_back(static_cast<std::uint16_t>(at));
+    place.push_back(static_cast<std::uint16_t>(i));
+    ++block.begin[at + 1];
+  });
+  for (std::size_t i = 0; i < layers.size(); ++i) block.begin[i + 1] += block.begin[i];
+  std::vector<std::uint32_t> next(block.begin.begin(), block.begin.end() - 1);
+  for (std::size_t i = 0; i < layer.size(); ++i) block.places[next[layer[i]]++] = place[i];
+  return block;
+}
+
+/// Layers first to last of each slab, about as many points in each.
+std::vector<std::size_t> cut(const std::vector<Block>& blocks, std::size_t layers) {
+  std::vector<std::size_t> cuts = {0};
+  std::size_t points = 0;
+  for (std::size_t layer = 0; layer < layers; ++layer) {
+    for (const Block& block : blocks) points += block.begin[layer + 1] - block.begin[layer];
+    if (points < kSlabPoints && layer + 1 < layers) continue;
+    cuts.push_back(layer + 1);
+    points = 0;
+  }
+  return cuts;
+}
+
+BasePoints gather(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
+                  const std::vector<Block>& blocks, std::size_t first, std::size_t last) {
+  std::size_t count = 0;
+  for (const Block& block : blocks) count += block.begin[last] - block.begin[first];
+  BasePoints out;
+  out.points.resize(count);
+  if (normals) out.normals.resize(count);
+  std::size_t row = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (std::uint32_t i = blocks[b].begin[first]; i < blocks[b].begin[last]; ++i, ++row) {
+      double p[3];
+      float q[3];
+      const std::size_t at = b * CloudReader::kBlock + blocks[b].places[i];
+      reader.read(at, p);
+      extent.to_unit_ball(p, q);
+      out.points.set(row, q);
+      if (!normals) continue;
+      normals->read_direction(at, q);
+      out.normals.set(row, q);
+    }
+  return out;
+}
+
+void append(Cloud& to, const Cloud& from) {
+  to.x.insert(to.x.end(), from.x.begin(), from.x.end());
+  to.y.insert(to.y.end(), from.y.begin(), from.y.end());
+  to.z.insert(to.z.end(), from.z.begin(), from.z.end());
+}
+
+}  // namespace
+
+BasePoints voxel_grid_by_slabs(const CloudReader& reader, const NormalReader* normals,
+                         const Extent& extent, float leaf, int threads) {
+  const Layers layers(leaf);
+  std::vector<Block> blocks(reader.blocks());
+  parallel_for(blocks.size(), threads,
+              [&](std::size_t i) { blocks[i] = sorted(reader, i, extent, layers); });
+
+  const std::vector<std::size_t> cuts = cut(blocks, layers.size());
+  std::vector<BasePoints> slabs(cuts.size() - 1);
+  parallel_for(slabs.size(), threads, [&](std::size_t i) {
+    const BasePoints slab = gather(reader, normals, extent, blocks, cuts[i], cuts[i + 1]);
+    if (slab.points.size() == 0) return;
+    slabs[i].points = voxel_grid(slab.points, leaf);
+    if (normals) slabs[i].normals = mean_normals(slab.points, slab.normals, leaf);
+  });
+
+  BasePoints out;
+  for (const BasePoints& slab : slabs) {
+    append(out.points, slab.points);
+    append(out.normals, slab.normals);
+  }
+  return out;
+}
+
+}  // namespace emtr

@@ -1,0 +1,208 @@
+#include "settings/settings_table.h"
+
+namespace emtr {
+namespace {
+
+constexpr auto Integer = EMTR_SETTING_INTEGER;
+constexpr auto Real = EMTR_SETTING_REAL;
+constexpr auto Switch = EMTR_SETTING_SWITCH;
+constexpr auto Choice = EMTR_SETTING_CHOICE;
+constexpr double kExactInteger = 9007199254740992.0;  // 2^53
+
+constexpr Setting::Storage storage_of(const std::int32_t*) { return Setting::Storage::Int32; }
+constexpr Setting::Storage storage_of(const std::uint64_t*) { return Setting::Storage::Uint64; }
+constexpr Setting::Storage storage_of(const double*) { return Setting::Storage::Double; }
+
+#define SETTING(field, type, unit, minimum, maximum, value, part, text, choices)                   \
+  {                                                                                                \
+    {#field, type, unit, minimum, maximum, value, part, text, choices}, offsetof(Settings, field), \
+        storage_of(static_cast<decltype(Settings::field)*>(nullptr))                               \
+  }
+
+}  // namespace
+
+// The one place where a setting's unit, range, default and meaning stand. The values that the
+// paper gives are its own; the others were settled by measurement.
+const std::vector<Setting>& setting_table() {
+  static const std::vector<Setting> rows = {
+      SETTING(seed, Integer, "", 0, kExactInteger, 0, "", "seed of all random numbers", ""),
+      SETTING(threads, Integer, "threads", 0, 1024, 0, "",
+              "threads to use, 0 for as many as OpenMP would; the result does not depend on it",
+              ""),
+      SETTING(time_limit, Real, "seconds", 0, 1e9, 0, "",
+              "give the best pose so far after this time, 0 for no limit", ""),
+      SETTING(dense_points, Integer, "points", 100, 1e6, 9000, "sparse to dense",
+              "points of both dense clouds together", ""),
+      SETTING(sparse_points, Integer, "points", 10, 1e6, 600, "sparse to dense",
+              "points of the sparse source cloud", ""),
+      SETTING(minimum_leaf_spacing, Real, "point spacings", 0, 100, 1.5, "sparse to dense",
+              "least dense leaf", ""),
+      SETTING(normal_radius, Real, "dense leaves", 1, 50, 2, "features and matches",
+              "radius of the normals' neighborhoods", ""),
+      SETTING(feature_radius, Real, "dense leaves", 1, 50, 5, "features and matches",
+              "radius of the FPFH neighborhoods", ""),
+      SETTING(max_correspondences, Integer, "matches", 3, 20000, 1000, "features and matches",
+              "most matches kept, those with the nearest descriptors", ""),
+      SETTING(max_tims, Integer, "pairs", 3, 1e8, 5000, "features and matches",
+              "most pairs of correspondences made into TIMs", ""),
+      SETTING(
+          features, Choice, "", 0, 1, 1, "features and matches",
+          "who computes normals and FPFH: PCL's own functions, or the same definition vectorised",
+          "pcl,simd"),
+      SETTING(seeds, Integer, "poses", 0, 10000, 200, "seeds",
+              "most poses made of spatially consistent matches", ""),
+      SETTING(seed_threshold, Real, "dense leaves", 0.1, 100, 1.5, "seeds",
+              "how far consistent matches may disagree", ""),
+      SETTING(injected_seeds, Integer, "particles", 0, 100000, 10, "seeds",
+              "particles of both swarms that start at a seed", ""),
+      SETTING(tau_factor, Real, "resolutions", 1e-3, 100, 0.5, "task beta",
+              "tau over the mean resolution of the dense clouds", ""),
+      SETTING(inlier_threshold, Real, "tau", 1e-3, 1e3, 5, "task beta",
+              "largest residual of a TIM inlier", ""),
+      SETTING(outlier_penalty, Real, "tau", 1e-3, 1e6, 50, "task beta",
+              "eta, what each TIM outlier costs", ""),
+      SETTING(scale_sparse, Real, "sparse leaves", 0.1, 10, 1.5, "task alpha",
+              "scale c of the M-estimator in the sparse stage", ""),
+      SETTING(scale_dense, Real, "dense leaves", 0.1, 10, 1.2, "task alpha",
+              "scale c of the M-estimator in the dense stage", ""),
+      SETTING(translation_bound, Real, "radii", 1e-3, 4, 1.2, "task alpha",
+              "half the side of the box searched for translations", ""),
+      SETTING(population, Integer, "particles", 2, 100000, 50, "particle swarm",
+              "particles of each of the two tasks", ""),
+      SETTING(iterations, Integer, "iterations", 1, 1000000, 25, "particle swarm",
+              "generations of the evolution (MaxIt)", ""),
+      SETTING(inertia_start, Real, "", 0, 2, 0.9, "particle swarm", "inertia weight w at the start",
+              ""),
+      SETTING(inertia_end, Real, "", 0, 2, 0.4, "particle swarm", "inertia weight w at the end",
+              ""),
+      SETTING(cognitive, Real, "", 0, 10, 1.49445, "particle swarm",
+              "pull to the particle's best (c1)", ""),
+      SETTING(social, Real, "", 0, 10, 1.49445, "particle swarm", "pull to the swarm's best (c2)",
+              ""),
+      SETTING(velocity_limit, Real, "ranges", 1e-3, 1, 0.5, "particle swarm",
+              "largest step of a gene in one iteration", ""),
+      SETTING(
+          rotation_vector_steps, Choice, "", 0, 2, 1, "particle swarm",
+          "step by rotation vectors instead of Euler angles; auto: where no particle starts at a "
+          "seed",
+          "off,auto,always"),
+      SETTING(restart_after, Integer, "iterations", 0, 1000000, 0, "particle swarm",
+              "iterations without a better pose after which particles are drawn anew, where none "
+              "starts at a seed; 0: never",
+              ""),
+      SETTING(restart_share, Real, "", 0, 1, 0.5, "particle swarm",
+              "share of either swarm that is drawn anew", ""),
+      SETTING(transfer, Switch, "", 0, 1, 1, "knowledge transfer",
+              "knowledge transfer between the tasks", ""),
+      SETTING(transfer_probability, Real, "", 0, 1, 0.7, "knowledge transfer",
+              "chance of a transfer in an iteration (rmp)", ""),
+      SETTING(arc_transfer, Choice, "", 0, 2, 1, "knowledge transfer",
+              "mix rotations along the shortest arc instead of angle by angle; auto: where no "
+              "particle starts at a seed",
+              "off,auto,always"),
+      SETTING(lambda_alpha_start, Real, "", 0, 1, 0.1, "knowledge transfer",
+              "alpha's own share in its guide, at the start", ""),
+      SETTING(lambda_alpha_end, Real, "", 0, 1, 0.7, "knowledge transfer",
+              "alpha's own share in its guide, at the end", ""),
+      SETTING(lambda_beta_start, Real, "", 0, 1, 0.999, "knowledge transfer",
+              "beta's own share in its guide, at the start", ""),
+      SETTING(lambda_beta_end, Real, "", 0, 1, 0.199, "knowledge transfer",
+              "beta's own share in its guide, at the end", ""),
+      SETTING(complement, Switch, "", 0, 1, 1, "knowledge complement",
+              "complete beta's rotation with a translation (Algorithm 2)", ""),
+      SETTING(complement_iterations, Integer, "iterations", 1, 10000, 20, "knowledge complement",
+              "iterations of Algorithm 2 (MaxIt_KC)", ""),
+      SETTING(complement_scale_start, Real, "radii", 1e-3, 4, 0.5, "knowledge complement",
+              "Tukey scale d of Algorithm 2 at its start", ""),
+      SETTING(complement_scale_end, Real, "radii", 1e-3, 4, 0.08, "knowledge complement",
+              "Tukey scale d of Algorithm 2 at its end", ""),
+      SETTING(sparse_to_dense, Switch, "", 0, 1, 1, "sparse to dense",
+              "begin on the sparse clouds; off: dense throughout", ""),
+      SETTING(switch_fraction, Real, "", 0, 1, 0.6, "sparse to dense",
+              "share of the iterations done on the sparse clouds (delta)", ""),
+      SETTING(neighbors, Choice, "", 0, 2, 0, "", "structure behind the look-ups; same results",
+              "grid,kdtree,brute"),
+      SETTING(candidates, Integer, "poses", 0, 10000, 12, "candidates",
+              "poses polished and ranked; 0: the swarm's best is the answer", ""),
+      SETTING(free_space, Switch, "", 0, 1, 1, "candidates",
+              "points in front of what the other scan saw count against a pose", ""),
+      SETTING(escalation, Choice, "", 0, 2, 1, "escalation",
+              "search again with more feature points and both signs of the normals",
+              "off,auto,always"),
+      SETTING(fallback_confidence, Real, "", 0, 1, 0.9, "escalation",
+              "escalate below this confidence", ""),
+      SETTING(fallback_points, Integer, "points", 100, 1e6, 24000, "escalation",
+              "points of both feature clouds together", ""),
+      SETTING(fallback_correspondences, Integer, "matches", 3, 20000, 5000, "escalation",
+              "most matches kept, those that stand out most among their nearest ten", ""),
+      SETTING(fallback_seeds, Integer, "poses", 1, 10000, 600, "escalation",
+              "most poses made of spatially consistent matches", ""),
+      SETTING(fallback_candidates, Integer, "poses", 1, 10000, 200, "escalation",
+              "poses polished and ranked", ""),
+      SETTING(refine, Switch, "", 0, 1, 1, "refinement", "polish the answer on fine clouds", ""),
+      SETTING(refine_leaf, Real, "radii", 1e-3, 0.5, 0.01, "refinement", "leaf of the fine clouds",
+              ""),
+      SETTING(maximum_fitness, Real, "", 0, 1, 0.7, "verdict",
+              "without candidates: registered only when the mean of rho over both dense clouds is "
+              "at most this",
+              ""),
+      SETTING(minimum_fitness_gap, Real, "", 0, 1, 0.05, "verdict",
+              "without candidates: registered only when the next best other pose is worse by this",
+              ""),
+      SETTING(minimum_confidence, Real, "", 0, 1, 0.5, "verdict",
+              "with candidates: registered only when the confidence is at least this", ""),
+      SETTING(guess_rotation, Real, "degrees", 0, kAnyRotation, kAnyRotation, "priors",
+              "how far the rotation may be from the guess's; 180: any", ""),
+      SETTING(guess_translation, Real, "user's unit", 0, kAnyTranslation, kAnyTranslation, "priors",
+              "how far the source's centroid may end from where the guess puts it; 1e12: anywhere",
+              ""),
+      SETTING(axis_tilt, Real, "degrees", 0, 90, 0, "priors",
+              "how far the rotated axis may lean from itself", ""),
+      SETTING(axis_angle_minimum, Real, "degrees", -360, 360, -180, "priors",
+              "least angle about the axis", ""),
+      SETTING(axis_angle_maximum, Real, "degrees", -360, 360, 180, "priors",
+              "largest angle about the axis; a whole turn from the least: any", ""),
+      SETTING(maximum_rotation, Real, "degrees", 0, kAnyRotation, kAnyRotation, "priors",
+              "largest angle of the whole rotation; 180: any", ""),
+  };
+  return rows;
+}
+
+#undef SETTING
+
+const std::vector<Preset>& preset_table() {
+  static const std::vector<Preset> all = {
+      {"default", {}},
+      {"fast",
+       {{"dense_points", 5000},
+        {"iterations", 6},
+        {"population", 20},
+        {"injected_seeds", 6},
+        {"candidates", 6},
+        {"fallback_points", 16000},
+        {"fallback_seeds", 300},
+        {"fallback_candidates", 100},
+        {"refine_leaf", 0.015}}},
+      {"thorough", {{"escalation", 2}}},
+      // The method as published: the swarm alone, no seeds before it and no polish after it.
+      {"paper",
+       {{"dense_points", 4000},
+        {"features", 0},
+        {"max_tims", 100000},
+        {"seeds", 0},
+        {"injected_seeds", 0},
+        {"translation_bound", 0.5},
+        {"iterations", 100},
+        {"rotation_vector_steps", 0},
+        {"restart_after", 0},
+        {"arc_transfer", 0},
+        {"candidates", 0},
+        {"free_space", 0},
+        {"escalation", 0},
+        {"refine", 0},
+        {"refine_leaf", 0.015}}},  // of the overlap and the rmse alone
+  };
+  return all;
+}
+
+}  // namespace emtr

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "settings/settings.h"
+
+namespace emtr {
+
+/// Every setting that has a name, with its value in preset "default".
+const std::vector<Setting>& setting_table();
+
+struct Preset {
+  const char* name;
+  std::vector<std::pair<const char*, double>> changes;  ///< against the table
+};
+
+const std::vector<Preset>& preset_table();
+
+}  // namespace emtr

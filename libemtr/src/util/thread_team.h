@@ -1,0 +1,67 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+
+#include "util/cancellation.h"
+
+namespace emtr {
+
+/// The threads of one stage of the work. They end with it: a process that forks afterwards carries
+/// no pool that its child would wait for. Between two pieces of work they sleep, as threads that
+/// spin are slower than one alone on a machine with other work to do.
+class ThreadTeam {
+ public:
+  /// Runs body(team) on the calling thread, with up to `threads` threads to help it. Throws what
+  /// the body throws.
+  static void with(int threads, const std::function<void(ThreadTeam&)>& body);
+
+  /// At most this many threads; their numbers in a job are below it.
+  std::size_t size() const { return threads_; }
+
+  /// Runs job(i, thread) once for each i < n, in any order, and returns when all are done. Throws
+  /// what the first failing job threw. Polls after each job, so these are to be small or to poll
+  /// themselves.
+  using Job = std::function<void(std::size_t i, std::size_t thread)>;
+  void parallel(std::size_t n, const Job& job);
+
+ private:
+  class Helpers;
+
+  explicit ThreadTeam(std::size_t threads) : threads_(threads) {}
+  void follow(std::size_t thread);  ///< what the helpers do until they are dismissed
+  void work(std::size_t thread);
+  void wait_for_helpers();
+  void fail();  ///< keeps the exception at hand for the caller of parallel()
+  void dismiss();
+
+  const std::size_t threads_;
+  CancellationToken* const watch_ = CancellationScope::current();
+  std::mutex mutex_;
+  std::condition_variable wake_, idle_;
+  const Job* job_ = nullptr;
+  std::size_t size_ = 0;  // of the present piece of work
+  std::atomic<std::size_t> next_{0};
+  std::size_t busy_ = 0;   // helpers at it
+  std::size_t begun_ = 0;  // helpers that have taken the memory that each needs
+  std::size_t round_ = 0;  // pieces of work given out so far
+  bool open_ = false;      // helpers that wake too late for a piece leave it alone
+  bool dismissed_ = false;
+  std::exception_ptr failure_;
+};
+
+/// Runs job(i) once for each i < n on a team of its own, and throws what the first failing job
+/// threw. Jobs that keep their results by i make a whole that does not depend on the threads.
+template <class Job>
+void parallel_for(std::size_t n, int threads, const Job& job) {
+  const int most = static_cast<int>(std::min(n, static_cast<std::size_t>(threads)));
+  ThreadTeam::with(std::max(most, 1),
+             [&](ThreadTeam& team) { team.parallel(n, [&](std::size_t i, std::size_t) { job(i); }); });
+}
+
+}  // namespace emtr

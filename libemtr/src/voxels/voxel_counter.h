@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/cloud.h"
+
+namespace emtr {
+
+/// How many points voxel_grid() would make of a cloud, for many leaves in turn.
+class VoxelCounter {
+ public:
+  /// Keeps a reference to the cloud, which has at least one point.
+  explicit VoxelCounter(const Cloud& cloud);
+
+  std::size_t operator()(float leaf);
+
+ private:
+  struct Range {
+    float low, high;
+  };
+  const Cloud& cloud_;
+  Range x_, y_, z_;
+  std::vector<std::uint64_t> occupied_;  // a bit for each voxel of the box about the cloud
+};
+
+}  // namespace emtr

@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include "candidates/candidate_search.h"
+#include "candidates/scene.h"
+
+namespace {
+
+using emtr::CandidateSearch;
+using emtr::Rigid;
+using emtr_test::anywhere;
+using emtr_test::same_bits;
+
+class Search : public testing::Test {
+ protected:
+  Search() {
+    scene.settings.candidates = 6;
+    scene.settings.fallback_points = 4000;
+    scene.settings.fallback_correspondences = 800;
+    scene.settings.fallback_seeds = 40;
+    scene.settings.fallback_candidates = 8;
+  }
+
+  CandidateSearch search() const {
+    return {scene.normalized, surfaces, scene.settings, emtr::select_kernels(), nullptr};
+  }
+
+  void give_sensors(double sign_of_target = 1) {
+    scene.settings.has_viewpoint_source = scene.settings.has_viewpoint_target = 1;
+    const auto source = scene.sensor_source(), target = scene.sensor_target();
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double center = scene.normalized.frame.center_target[a];
+      scene.settings.viewpoint_source[a] = source[a];
+      scene.settings.viewpoint_target[a] = center + sign_of_target * (target[a] - center);
+    }
+  }
+
+  /// A search that was given nothing of use.
+  CandidateSearch used_fallback_search() const {
+    CandidateSearch out = search();
+    out.add(anywhere(3, 2), {});
+    EXPECT_FALSE(out.used_fallback_search());
+    EXPECT_FALSE(scene.solved(out.ranked().front().pose));
+    out.escalate();
+    EXPECT_TRUE(out.used_fallback_search());
+    return out;
+  }
+
+  emtr_test::Scene scene{34, 5000, 20};
+  emtr::SurfacePair surfaces{scene.source, scene.target, {}, {}, emtr::select_kernels()};
+};
+
+TEST_F(Search, TheShortlistIsOfTheSeedsThatFitBest) {
+  std::vector<emtr::Seed> seeds;
+  for (const Rigid& pose : anywhere(20, 3)) seeds.push_back({pose, 50});
+  seeds.push_back({scene.off({2, 0, 0}, {0, 0.01, 0}), 3});  // however few support it
+  const auto out = search().shortlist(seeds);
+  ASSERT_EQ(out.size(), 6u);
+  EXPECT_TRUE(same_bits(out.front(), seeds.back().pose));
+  EXPECT_TRUE(search().shortlist({}).empty());
+}
+
+TEST_F(Search, TakesInAllOfTheFewAndTheBestOfTheMany) {
+  CandidateSearch few = search();
+  few.add(anywhere(15, 4), {});
+  EXPECT_EQ(few.ranked().size(), 15u);  // more than `candidates`
+  CandidateSearch both = search();
+  auto many = anywhere(40, 5);
+  many.push_back(scene.off({1, 2, 0}, {0, 0, 0.01}));
+  both.add(anywhere(15, 4), many);
+  EXPECT_GT(both.ranked().size(), 15u);
+  EXPECT_LE(both.ranked().size(), 15u + 6u);
+  EXPECT_TRUE(scene.solved(both.ranked().front().pose));
+}
+
+TEST_F(Search, EscalationFindsWhatNoSeedGave) {
+  const CandidateSearch found = used_fallback_search();
+  EXPECT_TRUE(scene.solved(found.ranked().front().pose));
+  EXPECT_GT(found.ranked().front().score, 0.3);
+  EXPECT_LE(found.ranked().size(), 8u + 3u);
+}
+
+TEST_F(Search, EscalationUsesTheSensorsThatAreGiven) {
+  give_sensors();
+  const CandidateSearch found = used_fallback_search();
+  const emtr::Candidate& best = found.ranked().front();
+  EXPECT_TRUE(scene.solved(best.pose));
+  EXPECT_EQ(best.score, best.fit.same_side - 2 * best.violation);
+
+  // Seen from where they are in the normalized frame.
+  const auto at = [&](const emtr::Surface& surface, const double* user, const double* center) {
+    emtr::Viewpoint v;
+    for (int a = 0; a < 3; ++a) v.at[a] = (user[a] - center[a]) / scene.normalized.frame.scale;
+    return emtr::given_viewpoint(surface, v, emtr::select_kernels());
+  };
+  const emtr::Frame& frame = scene.normalized.frame;
+  const emtr::SurfacePair seen(scene.source, scene.target,
+                            at(scene.source, scene.settings.viewpoint_source, frame.center_source),
+                            at(scene.target, scene.settings.viewpoint_target, frame.center_target),
+                            emtr::select_kernels());
+  emtr::Ranking::Scratch scratch;
+  for (const emtr::Candidate& c : found.ranked()) {
+    EXPECT_EQ(c.score, seen.ranking().evaluate(c.pose, scratch).score);
+    EXPECT_EQ(c.violation, seen.ranking().evaluate(c.pose, scratch).violation);
+  }
+  EXPECT_GT(best.score, 0.3);
+}
+
+TEST_F(Search, AWrongSensorCostsTheTruthItsScore) {
+  const double unknown = used_fallback_search().ranked().front().score;
+  give_sensors(-1);  // the target seen from within
+  CandidateSearch wrong = search();
+  wrong.add({scene.truth}, {});
+  EXPECT_TRUE(scene.solved(wrong.ranked().front().pose));
+  wrong.escalate();
+  for (const emtr::Candidate& c : wrong.ranked()) {
+    if (scene.solved(c.pose)) {
+      EXPECT_LT(c.score, unknown - 0.2);
+    }
+  }
+}
+
+TEST_F(Search, WithoutFreeSpaceNothingIsViolated) {
+  scene.settings.free_space = 0;
+  give_sensors(-1);  // and sensors do not matter
+  const CandidateSearch found = used_fallback_search();
+  EXPECT_TRUE(scene.solved(found.ranked().front().pose));
+  for (const emtr::Candidate& c : found.ranked()) {
+    EXPECT_EQ(c.violation, 0);
+    EXPECT_EQ(c.score, c.fit.score);
+  }
+}
+
+TEST_F(Search, EscalationKeepsTheCandidatesOfBefore) {
+  scene.settings.fallback_points = 100;  // too few to find anything
+  scene.settings.fallback_seeds = 1;
+  CandidateSearch kept = search();
+  kept.add({scene.off({1, 0, 0}, {0, 0, 0})}, anywhere(5, 6));
+  const auto before = kept.ranked();
+  kept.escalate();
+  EXPECT_TRUE(scene.solved(kept.ranked().front().pose));
+  EXPECT_GE(kept.ranked().size() + 1, before.size());  // a polish may bring two together
+}
+
+TEST_F(Search, IsTheSameBitsForAnyThreads) {
+  const auto run = [&](int threads) {
+    scene.settings.threads = threads;
+    return used_fallback_search().ranked();
+  };
+  const auto one = run(1);
+  for (const int threads : {2, 4}) {
+    const auto other = run(threads);
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_TRUE(same_bits(one[i].pose, other[i].pose));
+      EXPECT_EQ(one[i].score, other[i].score);
+      EXPECT_EQ(one[i].violation, other[i].violation);
+    }
+  }
+}
+
+}  // namespace

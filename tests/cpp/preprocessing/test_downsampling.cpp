@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include "util/error.h"
+#include "neighbors/resolution.h"
+#include "preprocessing/downsampling.h"
+#include "support/clouds.h"
+
+namespace {
+
+double dense_points(const emtr::DownsampledClouds& d) {
+  return static_cast<double>(d.source_dense.size() + d.target_dense.size());
+}
+
+double sparse_points(const emtr::DownsampledClouds& d) {
+  return static_cast<double>(d.source_sparse.size());
+}
+
+emtr::DownsampledClouds thinned(std::size_t points, const char* setting = "seed", double value = 0) {
+  const emtr_test::Pair pair(1, points);
+  emtr::Settings settings = emtr::preset("paper");
+  emtr::set(settings, setting, value);
+  return emtr::thin(emtr::normalize(pair.source(), pair.target(), 1), settings);
+}
+
+TEST(DownsampledClouds, MeetTheCountsWhateverTheSizeOfTheInput) {
+  for (const std::size_t points : {12000u, 60000u}) {
+    const auto d = thinned(points);
+    EXPECT_NEAR(dense_points(d), 4000, 40);
+    EXPECT_NEAR(sparse_points(d), 600, 6);
+    EXPECT_GT(d.leaf_sparse, d.leaf_dense);
+  }
+}
+
+TEST(DownsampledClouds, FollowTheSettings) {
+  EXPECT_NEAR(sparse_points(thinned(30000, "sparse_points", 300)), 300, 4);
+  const auto d = thinned(30000, "dense_points", 2000);
+  EXPECT_NEAR(dense_points(d), 2000, 20);
+}
+
+TEST(DownsampledClouds, KeepTheLeafAboveTheSpacingOfSmallClouds) {
+  const emtr_test::Pair pair(2, 1024);
+  const auto normalized = emtr::normalize(pair.source(), pair.target(), 1);
+  const auto d = emtr::thin(normalized, emtr::preset("paper"));
+  const double spacing =
+      std::max(emtr::mean_resolution(normalized.source), emtr::mean_resolution(normalized.target));
+  EXPECT_GE(d.leaf_dense, 1.49 * spacing);
+  EXPECT_LT(dense_points(d), 2000);
+  EXPECT_NEAR(sparse_points(d) / dense_points(d), 0.15, 0.01);
+}
+
+TEST(DownsampledClouds, NameACloudThatVanishesBesideTheOther) {
+  const emtr_test::Pair small(3, 2000, 1e-4), large(3, 2000, 1);
+  try {
+    emtr::thin(emtr::normalize(small.source(), large.target(), 1), emtr::preset("paper"));
+    FAIL() << "no error";
+  } catch (const emtr::Error& error) {
+    EXPECT_EQ(error.status(), EMTR_ERROR_CLOUD);
+    EXPECT_EQ(std::string(error.what()).rfind("source cloud", 0), 0u) << error.what();
+  }
+}
+
+}  // namespace

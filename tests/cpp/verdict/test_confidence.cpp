@@ -1,0 +1,204 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/pose_distance.h"
+#include "refinement/shapes.h"
+#include "verdict/confidence.h"
+
+namespace {
+
+using emtr::Candidate;
+using emtr::Confidence;
+
+constexpr std::size_t kPoints = 1000;  // of each surface
+
+Confidence estimate_confidence(const std::vector<Candidate>& ranked) {
+  return emtr::estimate_confidence(ranked, kPoints, kPoints);
+}
+
+/// A candidate that half of the points support.
+Candidate candidate(const emtr::Rigid& pose, double score) {
+  Candidate c;
+  c.pose = pose;
+  c.score = score;
+  c.fit.inliers_source = c.fit.inliers_target = 0.5;
+  return c;
+}
+
+/// Candidates about the z axis, 20 degrees apart, with these scores.
+std::vector<Candidate> ranked(const std::vector<double>& scores) {
+  std::vector<Candidate> out;
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    out.push_back(
+        candidate(emtr_test::motion({0, 0, 20.0 * static_cast<double>(i)}, {0, 0, 0}), scores[i]));
+  return out;
+}
+
+Candidate at(double degrees, double score, double shift = 0) {
+  return candidate(emtr_test::motion({degrees, 0, 0}, {shift, 0, 0}), score);
+}
+
+TEST(Confidence, TheGapIsToTheBestClearlyDifferentCandidate) {
+  const Confidence s = estimate_confidence({at(0, 0.7), at(6, 0.65), at(0, 0.6, 0.1), at(40, 0.5), at(80, 0.4)});
+  EXPECT_DOUBLE_EQ(s.gap, 0.7 - 0.5);
+  ASSERT_EQ(s.others.size(), 2u);
+  EXPECT_EQ(s.others[0].score, 0.5);
+  EXPECT_EQ(s.others[1].score, 0.4);
+}
+
+TEST(Confidence, AShiftAloneMakesAnotherAnswerToo) {
+  EXPECT_DOUBLE_EQ(estimate_confidence({at(0, 0.7), at(0, 0.6, 0.2)}).gap, 0.7 - 0.6);
+}
+
+TEST(Confidence, WithoutOthersTheGapIsTheScore) {
+  const Confidence s = estimate_confidence({at(0, 0.6), at(5, 0.5)});
+  EXPECT_EQ(s.gap, 0.6);
+  EXPECT_TRUE(s.others.empty());
+}
+
+TEST(Confidence, OthersBelowNothingLeaveTheGapAtTheScore) {
+  // A score below zero is as good as none: it must not make the best look better.
+  EXPECT_EQ(estimate_confidence({at(0, 0.3), at(90, -0.8)}).gap, 0.3);
+}
+
+TEST(Confidence, OthersAreDistinctBestFirstAndTenAtMost) {
+  std::vector<Candidate> all;
+  for (int i = 0; i < 60; ++i) all.push_back(at(6.0 * i, 0.7 - 0.01 * i));
+  const Confidence s = estimate_confidence(all);
+  ASSERT_EQ(s.others.size(), 10u);
+  for (std::size_t i = 0; i < s.others.size(); ++i) {
+    EXPECT_FALSE(emtr::within(s.others[i].pose, all[0].pose, emtr::kDistinctPose));
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_FALSE(emtr::within(s.others[i].pose, s.others[j].pose, emtr::kDistinctPose));
+      EXPECT_LE(s.others[i].score, s.others[j].score);
+    }
+  }
+}
+
+TEST(Confidence, ConfidenceIsAShareThatGrowsWithTheScore) {
+  for (const double other : {-0.5, 0.05, 0.3, 0.6}) {
+    double before = -1;
+    for (const double step : {0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.39}) {
+      const double c = estimate_confidence(ranked({other + step, other})).confidence;
+      EXPECT_GE(c, 0);
+      EXPECT_LE(c, 1);
+      EXPECT_EQ(c, std::round(c * 1e6) / 1e6);  // what no C library's last digits can change
+      EXPECT_GE(c, before) << other << ' ' << step;
+      before = c;
+    }
+  }
+  EXPECT_GT(estimate_confidence(ranked({0.4})).confidence, estimate_confidence(ranked({0.1})).confidence);
+}
+
+TEST(Confidence, ConfidenceGrowsWithTheGap) {
+  for (const double score : {0.05, 0.12, 0.3, 0.7, 1.0}) {
+    double before = -1;
+    for (const double share : {0.0, 0.01, 0.05, 0.1, 0.19, 0.21, 0.4, 0.8, 1.0}) {
+      const double c = estimate_confidence(ranked({score, score - share * score})).confidence;
+      EXPECT_GE(c, before) << score << ' ' << share;
+      before = c;
+    }
+    EXPECT_GT(before, estimate_confidence(ranked({score, score})).confidence);
+  }
+}
+
+TEST(Confidence, ConfidenceFallsWithTheViolationAtEqualScore) {
+  double before = 1;
+  for (const double violation : {0.0, 0.001, 0.01, 0.05}) {
+    std::vector<Candidate> some = ranked({0.15, 0.1});
+    some[0].violation = violation;
+    some[0].fit.score = 0.15 + 2 * violation;
+    const double c = estimate_confidence(some).confidence;
+    EXPECT_LT(c, before) << violation;
+    before = c;
+  }
+}
+
+TEST(Confidence, SurfacesThatCrossAreDoubtedAndThoseThatLieFlushAreNot) {
+  for (const double surface_mismatch : {-0.2, 0.0, 0.3, 0.7, std::nan("")})
+    EXPECT_EQ(emtr::lower_confidence(0.9, surface_mismatch), 0.9) << surface_mismatch;
+  double before = 0.9;
+  for (const double surface_mismatch : {0.75, 0.85, 1.0, 1.4}) {
+    const double c = emtr::lower_confidence(0.9, surface_mismatch);
+    EXPECT_LT(c, before) << surface_mismatch;
+    before = c;
+  }
+  EXPECT_LT(before, 0.001);
+  EXPECT_EQ(emtr::lower_confidence(0, 1.0), 0);
+}
+
+TEST(Confidence, ConfidenceTellsGoodFromBad) {
+  EXPECT_GT(estimate_confidence(ranked({0.7, 0.1})).confidence, 0.95);
+  EXPECT_LT(estimate_confidence(ranked({0.1, 0.09})).confidence, 0.5);
+  EXPECT_LT(estimate_confidence(ranked({0.05, 0.045})).confidence, 0.05);
+  EXPECT_LT(estimate_confidence(ranked({-2})).confidence, 0.05);
+}
+
+TEST(Confidence, OfTwoAnswersThatAreAsGoodNoneIsBelievedByHalf) {
+  for (const double score : {0.2, 0.5, 1.0}) {
+    EXPECT_LT(estimate_confidence(ranked({score, score})).confidence, 0.5);
+    EXPECT_LT(estimate_confidence(ranked({score, 0.85 * score})).confidence, 0.5);
+  }
+  EXPECT_GT(estimate_confidence(ranked({0.7, 0.5})).confidence, 0.5);
+}
+
+TEST(Confidence, AFewPointsAreNoEvidence) {
+  const auto confidence = [](std::size_t source, std::size_t target) {
+    return emtr::estimate_confidence(ranked({0.8, 0.1}), source, target).confidence;  // half of them are inliers
+  };
+  EXPECT_EQ(confidence(200, 200), confidence(5000, 200));
+  EXPECT_GT(confidence(200, 200), 0.95);
+  EXPECT_LT(confidence(100, 200), 0.5);
+  EXPECT_LT(confidence(5000, 100), 0.5);  // the poorer side decides
+  EXPECT_LT(confidence(20, 20), confidence(100, 100));
+}
+
+class Reason : public testing::Test {
+ protected:
+  emtr_reason reason(const std::vector<double>& scores, bool unconstrained = false,
+                     std::size_t correspondences = 100, std::size_t points = kPoints) const {
+    const auto all = ranked(scores);
+    const Confidence standing = emtr::estimate_confidence(all, points, points);
+    return emtr::reason(all.front(), standing, unconstrained, correspondences, settings);
+  }
+  emtr::Settings settings = emtr::preset("default");
+};
+
+TEST_F(Reason, Registered) {
+  EXPECT_EQ(reason({0.7, 0.1}), EMTR_REASON_REGISTERED);
+  EXPECT_EQ(reason({0.7, 0.1}, false, 0), EMTR_REASON_REGISTERED);  // however it was found
+}
+
+TEST_F(Reason, Degenerate) { EXPECT_EQ(reason({0.7, 0.1}, true), EMTR_REASON_DEGENERATE); }
+
+TEST_F(Reason, Ambiguous) {
+  EXPECT_EQ(reason({0.7, 0.695}), EMTR_REASON_AMBIGUOUS);
+  EXPECT_EQ(reason({0.3, 0.3}), EMTR_REASON_AMBIGUOUS);
+  EXPECT_EQ(reason({0.7, 0.695}, true), EMTR_REASON_AMBIGUOUS);
+  EXPECT_EQ(reason({0.7, 0.695}, false, 3), EMTR_REASON_AMBIGUOUS);
+}
+
+TEST_F(Reason, LowOverlap) {
+  EXPECT_EQ(reason({0.1, 0.099}), EMTR_REASON_LOW_OVERLAP);  // two that mean nothing: no rivals
+  EXPECT_EQ(reason({0.05}), EMTR_REASON_LOW_OVERLAP);
+  EXPECT_EQ(reason({-0.1, -0.11}), EMTR_REASON_LOW_OVERLAP);
+  EXPECT_EQ(reason({0.7, 0.1}, false, 100, 60), EMTR_REASON_LOW_OVERLAP);  // of next to no points
+}
+
+TEST_F(Reason, FewMatches) {
+  EXPECT_EQ(reason({0.1, 0.09}, false, 9), EMTR_REASON_FEW_MATCHES);
+  EXPECT_EQ(reason({0.1, 0.09}, false, 10), EMTR_REASON_LOW_OVERLAP);
+}
+
+TEST_F(Reason, FollowsTheConfidenceAskedFor) {
+  const double confidence = estimate_confidence(ranked({0.4, 0.3})).confidence;
+  settings.minimum_confidence = confidence;
+  EXPECT_EQ(reason({0.4, 0.3}), EMTR_REASON_REGISTERED);
+  settings.minimum_confidence = std::nextafter(confidence, 1.0);
+  EXPECT_EQ(reason({0.4, 0.3}), EMTR_REASON_LOW_OVERLAP);
+  settings.minimum_confidence = 0.3;  // who asks for less takes one of two that are as good
+  EXPECT_EQ(reason({0.7, 0.695}), EMTR_REASON_REGISTERED);
+}
+
+}  // namespace

@@ -1,1 +1,0 @@
-"""One result, many ways to it: the table behind tools/bits."""

@@ -1,0 +1,1 @@
+"""One result, many ways to it: the table behind tools/reproducibility."""
