@@ -66,9 +66,7 @@ emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particl
     const emtr_problem& p = checked(problem);
     evaluate_all(p, particles, count, 3, fitness,
                  [&](const double* angles, emtr::TaskAlpha::Scratch&) {
-                   double R[9];
-                   emtr::euler_to_rotation(angles, R);
-                   return p.beta->evaluate(R);
+                   return p.beta->evaluate(emtr::euler_to_rotation(angles));
                  });
   });
 }
@@ -76,10 +74,9 @@ emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particl
 emtr_status emtr_complement(emtr_problem* problem, const double angles[3], double translation[3]) {
   return guarded([&] {
     emtr_problem& p = checked(problem);
-    double R[9];
     require_near(&required(angles, "angles"), 3, "angles");
-    emtr::euler_to_rotation(angles, R);
-    p.complement->translation(R, &required(translation, "translation"), p.prior.get());
+    Eigen::Vector3d::Map(&required(translation, "translation")) =
+        p.complement->translation(emtr::euler_to_rotation(angles), p.prior.get());
     p.queries += p.complement->queries();
   });
 }

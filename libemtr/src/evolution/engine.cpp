@@ -77,9 +77,8 @@ class Engine {
         poses_.fitness()[i] =
             alpha_.evaluate(stage_, space_.pose(poses_.position(i)), scratch_[thread]);
       } else {
-        double R[9];
-        space_.rotation(rotations_.position(i - n), R);
-        rotations_.fitness()[i - n] = beta_.evaluate(R);
+        rotations_.fitness()[i - n] =
+            beta_.evaluate(space_.rotation(rotations_.position(i - n)));
       }
     });
     out_.queries_evaluation += n * alpha_.queries(stage_);

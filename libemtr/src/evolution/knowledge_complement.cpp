@@ -19,12 +19,13 @@ KnowledgeComplement::KnowledgeComplement(const Cloud& source, const Cloud& targe
       settings_(settings),
       kernels_(kernels) {}
 
-void KnowledgeComplement::translation(const double* R, double t[3], const Prior* prior) const {
+Eigen::Vector3d KnowledgeComplement::translation(const Eigen::Matrix3d& R,
+                                                  const Prior* prior) const {
   const std::size_t n = source_.size();
   std::vector<float> x(n), y(n), z(n), squared(n);
   std::vector<std::int32_t> index(n);
   Rigid pose;
-  std::copy_n(R, 9, pose.R);
+  pose.R = R;
   if (prior) pose = prior->project(pose);
 
   const int iterations = settings_.complement_iterations;
@@ -50,7 +51,7 @@ void KnowledgeComplement::translation(const double* R, double t[3], const Prior*
     for (int a = 0; a < 3; ++a) pose.t[a] += step[a] / weights;
   }
   if (prior) pose = prior->project(pose);
-  std::copy_n(pose.t, 3, t);
+  return pose.t;
 }
 
 std::uint64_t KnowledgeComplement::queries() const {

@@ -22,7 +22,7 @@ class KnowledgeComplement {
                       const Kernels& kernels);
 
   /// With a prior from the admissible t nearest to 0, and to one that is admissible.
-  void translation(const double* R, double t[3], const Prior* prior) const;
+  Eigen::Vector3d translation(const Eigen::Matrix3d& R, const Prior* prior) const;
 
   /// Look-ups of one call.
   std::uint64_t queries() const;

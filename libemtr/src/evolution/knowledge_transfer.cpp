@@ -31,8 +31,8 @@ KnowledgeTransfer::Guides KnowledgeTransfer::exchange(int iteration, const Swarm
   const double* b = beta.gbest_position();
   if (settings_.complement && (beta_changed || !known_)) {
     Rigid pose;
-    space_.rotation(b, pose.R);
-    complement_.translation(pose.R, pose.t, space_.prior());
+    pose.R = space_.rotation(b);
+    pose.t = complement_.translation(pose.R, space_.prior());
     space_.encode_translation(pose, translation_.data());
     queries_ += complement_.queries();
     known_ = true;

@@ -6,12 +6,8 @@
 namespace emtr {
 namespace {
 
-using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
 Eigen::Quaterniond quaternion_of(const double angles[3]) {
-  double R[9];
-  euler_to_rotation(angles, R);
-  return quaternion(R);
+  return Eigen::Quaterniond(euler_to_rotation(angles));
 }
 
 }  // namespace
@@ -20,12 +16,10 @@ void rotation_between(const double from[3], const double to[3], double vector[3]
   Eigen::Vector3d::Map(vector) = logarithm(quaternion_of(to) * quaternion_of(from).conjugate());
 }
 
-void turn(double angles[3], const double vector[3]) {
-  const Eigen::Quaterniond turned =
+void rotate_angles(double angles[3], const double vector[3]) {
+  const Eigen::Quaterniond rotated =
       exponential(Eigen::Vector3d::Map(vector)) * quaternion_of(angles);
-  double R[9];
-  Eigen::Map<Rotation>{R} = turned.normalized().toRotationMatrix();
-  rotation_to_euler(R, angles);
+  rotation_to_euler(rotated.normalized().toRotationMatrix(), angles);
 }
 
 }  // namespace emtr

@@ -10,6 +10,6 @@ enum class RotationSteps { Angles, Vector };
 void rotation_between(const double from[3], const double to[3], double vector[3]);
 
 /// exp(vector) R(angles), as canonical angles.
-void turn(double angles[3], const double vector[3]);
+void rotate_angles(double angles[3], const double vector[3]);
 
 }  // namespace emtr

@@ -11,7 +11,6 @@ namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -77,35 +76,32 @@ std::vector<Gene> SearchSpace::pose_genes() const {
   return out;
 }
 
-Quaterniond SearchSpace::turned(const double* genes) const {
+Quaterniond SearchSpace::rotated(const double* genes) const {
   if (chart_ == Chart::Vector) return exponential(Vector3d::Map(genes)) * center_;
   Quaterniond twist(Eigen::AngleAxisd(genes[0], prior_->rotation().axis->axis));
   if (angles() == 1) return twist;
   return exponential(genes[1] * e1_ + genes[2] * e2_) * twist;
 }
 
-void SearchSpace::rotation(const double* genes, double R[9]) const {
-  if (!prior_) return euler_to_rotation(genes, R);
+Eigen::Matrix3d SearchSpace::rotation(const double* genes) const {
+  if (!prior_) return euler_to_rotation(genes);
   Rigid pose;
-  if (chart_ == Chart::Euler)
-    euler_to_rotation(genes, pose.R);
-  else
-    Eigen::Map<Rotation>(pose.R) = turned(genes).toRotationMatrix();
-  std::copy_n(prior_->project(pose).R, 9, R);
+  pose.R = chart_ == Chart::Euler ? euler_to_rotation(genes) : rotated(genes).toRotationMatrix();
+  return prior_->project(pose).R;
 }
 
-Vector3d SearchSpace::shift(const double R[9]) const {
+Vector3d SearchSpace::lever_translation(const Eigen::Matrix3d& R) const {
   Vector3d out = Vector3d::Zero();
   for (int i = 0; i < 3; ++i)
-    if (of_matrix_[i]) out[i] = Vector3d::Map(R + 3 * i).dot(prior_->translation().box->lever);
+    if (of_matrix_[i]) out[i] = Vector3d(R.row(i)).dot(prior_->translation().box->lever);
   return out;
 }
 
 Rigid SearchSpace::pose(const double* genes) const {
   if (!prior_) return decode(genes);
   Rigid out;
-  rotation(genes, out.R);
-  Vector3d::Map(out.t) = Vector3d::Map(genes + angles()) + shift(out.R);
+  out.R = rotation(genes);
+  out.t = Vector3d::Map(genes + angles()) + lever_translation(out.R);
   return prior_->project(out);
 }
 
@@ -113,10 +109,10 @@ void SearchSpace::encode(const Rigid& pose, double* genes) const {
   if (chart_ == Chart::Euler) {
     rotation_to_euler(pose.R, genes);
   } else if (chart_ == Chart::Vector) {
-    Vector3d::Map(genes) = logarithm(quaternion(pose.R) * center_.conjugate());
+    Vector3d::Map(genes) = logarithm(Quaterniond(pose.R) * center_.conjugate());
   } else {
     const Vector3d& axis = prior_->rotation().axis->axis;
-    const Quaterniond q = quaternion(pose.R);
+    const Quaterniond q = Quaterniond(pose.R);
     const SwingTwist turn(q, axis);
     genes[0] = angle_.middle + angle_.offset(turn.angle);
     if (angles() == 3) {
@@ -129,19 +125,17 @@ void SearchSpace::encode(const Rigid& pose, double* genes) const {
 }
 
 void SearchSpace::encode_translation(const Rigid& pose, double* genes) const {
-  std::copy_n(pose.t, 3, genes);
-  if (prior_) Vector3d::Map(genes) -= shift(pose.R);
+  Vector3d::Map(genes) = pose.t;
+  if (prior_) Vector3d::Map(genes) -= lever_translation(pose.R);
 }
 
 void SearchSpace::arc(const double* from, const double* to, double share, double* out) const {
-  Rigid a, b;
-  rotation(from, a.R);
-  rotation(to, b.R);
+  const Quaterniond start(rotation(from)), end(rotation(to));
+  Rigid pose;
   // Eigen's slerp takes the shorter of the two ways.
-  Eigen::Map<Rotation>(a.R) =
-      quaternion(a.R).slerp(share, quaternion(b.R)).normalized().toRotationMatrix();
+  pose.R = start.slerp(share, end).normalized().toRotationMatrix();
   double genes[6];
-  encode(a, genes);
+  encode(pose, genes);
   nearest_alias(genes, from, out);
 }
 

@@ -23,7 +23,7 @@ class SearchSpace {
   std::vector<Gene> rotation_genes() const { return rotation_genes_; }  ///< task beta's
   std::vector<Gene> pose_genes() const;  ///< task alpha's: the same, then three of a translation
 
-  void rotation(const double* genes, double R[9]) const;
+  Eigen::Matrix3d rotation(const double* genes) const;
   Rigid pose(const double* genes) const;
   void encode(const Rigid& pose, double* genes) const;
   void encode_translation(const Rigid& pose, double* genes) const;  ///< those three alone
@@ -44,8 +44,8 @@ class SearchSpace {
   enum class Chart { Euler, Axis, Vector };
 
   void make_translation_genes(double bound);
-  Eigen::Quaterniond turned(const double* genes) const;
-  Eigen::Vector3d shift(const double R[9]) const;
+  Eigen::Quaterniond rotated(const double* genes) const;
+  Eigen::Vector3d lever_translation(const Eigen::Matrix3d& R) const;
 
   const Prior* prior_;
   Chart chart_ = Chart::Euler;

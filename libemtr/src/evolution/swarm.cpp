@@ -94,7 +94,7 @@ void Swarm::difference(const double* from, const double* to, double* out) const 
 }
 
 void Swarm::advance(double* x, double* v) const {
-  if (turning_) turn(x, v);
+  if (turning_) rotate_angles(x, v);
   for (std::size_t k = turning_; k < dimensions(); ++k) {
     const Gene& gene = genes_[k];
     x[k] += v[k];

@@ -14,29 +14,25 @@ double nearest_turn(double angle, double reference) {
 
 }  // namespace
 
-void euler_to_rotation(const double angles[3], double R[9]) {
+Eigen::Matrix3d euler_to_rotation(const double angles[3]) {
   const double c1 = std::cos(angles[0]), s1 = std::sin(angles[0]);
   const double c2 = std::cos(angles[1]), s2 = std::sin(angles[1]);
   const double c3 = std::cos(angles[2]), s3 = std::sin(angles[2]);
-  R[0] = c1 * c2;
-  R[1] = c1 * s2 * s3 - s1 * c3;
-  R[2] = c1 * s2 * c3 + s1 * s3;
-  R[3] = s1 * c2;
-  R[4] = s1 * s2 * s3 + c1 * c3;
-  R[5] = s1 * s2 * c3 - c1 * s3;
-  R[6] = -s2;
-  R[7] = c2 * s3;
-  R[8] = c2 * c3;
+  Eigen::Matrix3d R;
+  R << c1 * c2, c1 * s2 * s3 - s1 * c3, c1 * s2 * c3 + s1 * s3,  //
+      s1 * c2, s1 * s2 * s3 + c1 * c3, s1 * s2 * c3 - c1 * s3,   //
+      -s2, c2 * s3, c2 * c3;
+  return R;
 }
 
-void rotation_to_euler(const double R[9], double angles[3]) {
-  const double cosine = std::hypot(R[0], R[3]);
-  angles[1] = std::atan2(-R[6], cosine);
+void rotation_to_euler(const Eigen::Matrix3d& R, double angles[3]) {
+  const double cosine = std::hypot(R(0, 0), R(1, 0));
+  angles[1] = std::atan2(-R(2, 0), cosine);
   if (cosine > 1e-12) {
-    angles[0] = std::atan2(R[3], R[0]);
-    angles[2] = std::atan2(R[7], R[8]);
+    angles[0] = std::atan2(R(1, 0), R(0, 0));
+    angles[2] = std::atan2(R(2, 1), R(2, 2));
   } else {
-    angles[0] = std::atan2(-R[1], R[4]);
+    angles[0] = std::atan2(-R(0, 1), R(1, 1));
     angles[2] = 0;
   }
 }
@@ -59,15 +55,12 @@ void nearest_alias(const double angles[3], const double reference[3], double out
 }
 
 Rigid decode(const double particle[6]) {
-  Rigid pose;
-  euler_to_rotation(particle, pose.R);
-  std::copy_n(particle + 3, 3, pose.t);
-  return pose;
+  return {euler_to_rotation(particle), Eigen::Vector3d::Map(particle + 3)};
 }
 
 void encode(const Rigid& pose, double particle[6]) {
   rotation_to_euler(pose.R, particle);
-  std::copy_n(pose.t, 3, particle + 3);
+  Eigen::Vector3d::Map(particle + 3) = pose.t;
 }
 
 }  // namespace emtr

@@ -4,13 +4,13 @@
 
 namespace emtr {
 
-/// Z-Y-X Euler angles about fixed axes, R = Rz(theta1) Ry(theta2) Rx(theta3), row-major. Any real
-/// angles: a particle may leave the canonical ranges, R is periodic.
-void euler_to_rotation(const double angles[3], double R[9]);
+/// Returns the rotation of Z-Y-X Euler angles about fixed axes, R = Rz(theta1) Ry(theta2)
+/// Rx(theta3). Takes any real angles: a particle may leave the canonical ranges, R is periodic.
+Eigen::Matrix3d euler_to_rotation(const double angles[3]);
 
-/// Canonical angles, theta1 and theta3 in [-pi, pi], theta2 in [-pi/2, pi/2]; theta3 = 0 at the
+/// Writes the canonical angles, theta1 and theta3 in [-pi, pi], theta2 in [-pi/2, pi/2]; theta3 = 0 at the
 /// gimbal lock.
-void rotation_to_euler(const double R[9], double angles[3]);
+void rotation_to_euler(const Eigen::Matrix3d& R, double angles[3]);
 
 /// Of all angles for the same rotation the ones nearest to `reference`, so that a mean of the two
 /// lies between the two rotations.

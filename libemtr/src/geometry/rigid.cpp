@@ -5,9 +5,23 @@
 
 namespace emtr {
 
+Rigid Rigid::operator*(const Rigid& first) const {
+  Rigid out;
+  for (int j = 0; j < 3; ++j) out.R.col(j) = rotate(first.R.col(j));
+  out.t = *this * first.t;
+  return out;
+}
+
+Rigid Rigid::inverse() const {
+  Rigid out;
+  out.R = R.transpose();
+  out.t = -out.rotate(t);
+  return out;
+}
+
 void to_matrix(const Rigid& pose, double T[16]) {
   for (int i = 0; i < 3; ++i) {
-    std::copy_n(pose.R + 3 * i, 3, T + 4 * i);
+    for (int j = 0; j < 3; ++j) T[4 * i + j] = pose.R(i, j);
     T[4 * i + 3] = pose.t[i];
     T[12 + i] = 0;
   }
@@ -17,7 +31,7 @@ void to_matrix(const Rigid& pose, double T[16]) {
 Rigid from_matrix(const double T[16]) {
   Rigid pose;
   for (int i = 0; i < 3; ++i) {
-    std::copy_n(T + 4 * i, 3, pose.R + 3 * i);
+    for (int j = 0; j < 3; ++j) pose.R(i, j) = T[4 * i + j];
     pose.t[i] = T[4 * i + 3];
   }
   return pose;
@@ -46,9 +60,10 @@ bool is_near(const double* values, std::size_t count) {
                      [](double value) { return std::abs(value) <= kFarthest; });  // false for NaN
 }
 
-double rotation_distance(const double* Ra, const double* Rb) {
+double rotation_distance(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   double sum = 0;
-  for (int i = 0; i < 9; ++i) sum += (Ra[i] - Rb[i]) * (Ra[i] - Rb[i]);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) sum += (a(i, j) - b(i, j)) * (a(i, j) - b(i, j));
   return 2 * std::asin(std::min(1.0, std::sqrt(sum / 8)));
 }
 

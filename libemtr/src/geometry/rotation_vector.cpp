@@ -14,9 +14,4 @@ Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation) {
   return (turn.angle() > pi ? turn.angle() - 2 * pi : turn.angle()) * turn.axis();
 }
 
-Eigen::Quaterniond quaternion(const double R[9]) {
-  using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  return Eigen::Quaterniond(Eigen::Matrix3d(Eigen::Map<const Rotation>(R)));
-}
-
 }  // namespace emtr

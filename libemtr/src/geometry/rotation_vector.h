@@ -10,7 +10,4 @@ Eigen::Quaterniond exponential(const Eigen::Vector3d& vector);
 /// The shortest one: at most pi long.
 Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation);
 
-/// Of a row-major rotation matrix.
-Eigen::Quaterniond quaternion(const double R[9]);
-
 }  // namespace emtr

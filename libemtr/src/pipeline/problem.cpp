@@ -208,9 +208,9 @@ std::unique_ptr<Result> Problem::solve(const OnProgress& on_progress) const {
 void Problem::make_tasks() {
   const auto make = [this](const Cloud& cloud, float radius, float leaf) {
     // The other cloud has about as many points, and is looked up in about half of the iterations.
-    const double queries =
+    const double expected_queries =
         0.5 * settings.population * settings.iterations * static_cast<double>(cloud.size());
-    return make_neighbors(settings.neighbors, cloud, radius, leaf, queries, kernels);
+    return make_neighbors(settings.neighbors, cloud, radius, leaf, expected_queries, kernels);
   };
   alpha = std::make_unique<TaskAlpha>(downsampled, settings, kernels, make);
   beta = std::make_unique<TaskBeta>(tims, tau, settings, kernels);

@@ -6,13 +6,6 @@
 #include <utility>
 
 namespace emtr {
-namespace {
-
-Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(const Rigid& pose) {
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.R);
-}
-
-}  // namespace
 
 Cloud scaled(const Cloud& cloud, double factor) {
   Cloud out = cloud;
@@ -46,18 +39,16 @@ NormalizedPair normalize(const emtr_cloud& source, const emtr_cloud& target, int
 
 Rigid Frame::to_user(const Rigid& pose) const {
   Rigid out = pose;
-  Eigen::Vector3d::Map(out.t) = scale * Eigen::Vector3d::Map(pose.t) +
-                                Eigen::Vector3d::Map(center_target) -
-                                rotation(pose) * Eigen::Vector3d::Map(center_source);
+  out.t = scale * pose.t + Eigen::Vector3d::Map(center_target) -
+          pose.rotate(Eigen::Vector3d::Map(center_source));
   return out;
 }
 
 Rigid Frame::to_normalized(const Rigid& pose) const {
   Rigid out = pose;
-  Eigen::Vector3d::Map(out.t) =
-      (Eigen::Vector3d::Map(pose.t) + rotation(pose) * Eigen::Vector3d::Map(center_source) -
-       Eigen::Vector3d::Map(center_target)) /
-      scale;
+  out.t = (pose.t + pose.rotate(Eigen::Vector3d::Map(center_source)) -
+           Eigen::Vector3d::Map(center_target)) /
+          scale;
   return out;
 }
 

@@ -10,7 +10,6 @@ namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 using Names = std::vector<std::string>;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -26,9 +25,7 @@ bool finite(const double (&v)[3]) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-Quaterniond rotation_of(const Rigid& pose) {
-  return Quaterniond(Eigen::Matrix3d(Eigen::Map<const Rotation>(pose.R))).normalized();
-}
+Quaterniond rotation_of(const Rigid& pose) { return Quaterniond(pose.R).normalized(); }
 
 /// Of any length that floating point can hold, the square of which it may not.
 Vector3d direction(const double v[3]) {
@@ -71,7 +68,7 @@ TranslationBox translation_box(const Settings& s, const Frame& frame) {
 
 TranslationLimits translation_limits(const Settings& s, const Frame& frame, const Rigid& guess) {
   TranslationLimits out;
-  if (limits_translation(s)) out.ball = {Vector3d::Map(guess.t), s.guess_translation / frame.scale};
+  if (limits_translation(s)) out.ball = {guess.t, s.guess_translation / frame.scale};
   if (s.has_translation_bounds) out.box = translation_box(s, frame);
   return out;
 }
@@ -103,14 +100,14 @@ std::vector<Rigid> starts(const Settings& s, const RotationLimits& rotation, con
   std::vector<Rigid> out = {guess, Rigid()};
   if (s.has_guess) {
     out.emplace_back();
-    std::copy_n(guess.t, 3, out.back().t);
+    out.back().t = guess.t;
   }
   if (rotation.axis) {
     const Arc angles = rotation.angles().value_or(rotation.axis->angle);
     for (const double at : {0.0, -0.5, 0.5}) {
-      const Eigen::AngleAxisd turn(angles.middle + at * angles.half, rotation.axis->axis);
+      const Eigen::AngleAxisd about_axis(angles.middle + at * angles.half, rotation.axis->axis);
       out.push_back(guess);
-      Eigen::Map<Rotation>(out.back().R) = turn.toRotationMatrix();
+      out.back().R = about_axis.toRotationMatrix();
     }
   }
   return out;
@@ -147,9 +144,9 @@ void validate_priors(const Settings& s) {
 
 Rigid normalized_guess(const Settings& settings, const Frame& frame) {
   Rigid pose = frame.to_normalized(from_matrix(settings.guess));
-  require(is_near(pose.t, 3), "setting 'guess' moves the source a million radii past the target");
+  require(is_near(pose.t.data(), 3), "setting 'guess' moves the source a million radii past the target");
   // As people write matrices down, it is a rotation to three digits: the results are to all.
-  Eigen::Map<Rotation>(pose.R) = rotation_of(pose).toRotationMatrix();
+  pose.R = rotation_of(pose).toRotationMatrix();
   return pose;
 }
 

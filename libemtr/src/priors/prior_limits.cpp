@@ -54,9 +54,8 @@ void add_axis(Limits& out, const AxisLimits& limits, const Quaterniond& q) {
 
 Limits Prior::limits(const Rigid& pose) const {
   Limits out;
-  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.R);
-  const Quaterniond q(R);
-  const Vector3d t = Vector3d::Map(pose.t);
+  const Quaterniond q(pose.R);
+  const Vector3d& t = pose.t;
   for (const RotationBall& ball : rotation_.balls) add_ball(out, ball, q);
   if (rotation_.axis) add_axis(out, *rotation_.axis, q);
 
@@ -73,7 +72,7 @@ Limits Prior::limits(const Rigid& pose) const {
   }
   if (const auto& box = translation_.box) {
     // The matrix's translation t - R lever turns about the target's centre, as t and R do.
-    const Vector3d m = t - R * box->lever;
+    const Vector3d m = t - pose.R * box->lever;
     for (int i = 0; i < 3; ++i)
       along(Vector3d::Unit(i), m, m[i] - (box->low[i] + box->high[i]) / 2,
             (box->high[i] - box->low[i]) / 2);

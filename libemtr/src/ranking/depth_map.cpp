@@ -20,17 +20,6 @@ void move(const Kernels& kernels, const Cloud& points, const Rigid& pose, DepthM
   transform(kernels, points, pose, s.x.data(), s.y.data(), s.z.data());
 }
 
-Rigid after(const Rigid& a, const Rigid& b) {
-  Rigid out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double* row = a.R + 3 * i;
-    for (std::size_t j = 0; j < 3; ++j)
-      out.R[3 * i + j] = row[0] * b.R[j] + row[1] * b.R[3 + j] + row[2] * b.R[6 + j];
-    out.t[i] = row[0] * b.t[0] + row[1] * b.t[1] + row[2] * b.t[2] + a.t[i];
-  }
-  return out;
-}
-
 DirectionBins make_bins(const Cloud& points, const double viewpoint[3], double leaf) {
   const auto n = static_cast<double>(points.size());
   const auto mean = [n](const std::vector<float>& v) {
@@ -104,7 +93,7 @@ void DepthMap::fill(const std::vector<DirectionBins::Bin>& bins, const std::vect
 }
 
 std::size_t DepthMap::in_front(const Cloud& points, const Rigid& pose, Scratch& s) const {
-  move(kernels_, points, after(bins_.to_view(), pose), s);
+  move(kernels_, points, bins_.to_view() * pose, s);
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto bin = bins_(s.x[i], s.y[i], s.z[i]);

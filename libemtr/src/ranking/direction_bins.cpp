@@ -34,7 +34,7 @@ DirectionBins::DirectionBins(const double viewpoint[3], const double facing[3], 
   for (int r = 0; r < 3; ++r) {
     to_view_.t[r] = 0;
     for (int c = 0; c < 3; ++c) {
-      to_view_.R[3 * r + c] = rows[r][c];
+      to_view_.R(r, c) = rows[r][c];
       to_view_.t[r] -= rows[r][c] * viewpoint[c];
     }
   }

@@ -68,10 +68,9 @@ SurfaceFit::Sums SurfaceFit::sums(const Cloud& points, const Cloud& normals, con
     for (auto* v : {&s.x, &s.y, &s.z, &s.nx, &s.ny, &s.nz, &s.squared}) v->resize(n);
     s.index.resize(n);
   }
-  Rigid turn = pose;
-  for (double& t : turn.t) t = 0;
+  const Rigid rotation = {pose.R, Eigen::Vector3d::Zero()};
   transform(kernels_, points, pose, s.x.data(), s.y.data(), s.z.data());
-  transform(kernels_, normals, turn, s.nx.data(), s.ny.data(), s.nz.data());
+  transform(kernels_, normals, rotation, s.nx.data(), s.ny.data(), s.nz.data());
   to.neighbors->nearest({s.x.data(), s.y.data(), s.z.data(), n}, s.index.data(), s.squared.data());
 
   const float unit = 1.0f / leaf_;

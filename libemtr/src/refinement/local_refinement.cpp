@@ -11,6 +11,7 @@
 #include "util/error.h"
 #include "refinement/constrained_step.h"
 #include "geometry/small_motion.h"
+#include "geometry/transform.h"
 
 namespace emtr {
 namespace {
@@ -112,14 +113,11 @@ void LocalRefinement::each_pair(const Look& at, bool reversed, std::size_t begin
                             std::size_t place, Scratch& s, const Visit& visit) const {
   const Side &asking = reversed ? target_ : source_, &answering = reversed ? source_ : target_;
   const Rigid way = reversed ? at.pose.inverse() : at.pose;
-  float R[9], t[3];
-  for (int k = 0; k < 9; ++k) R[k] = static_cast<float>(way.R[k]);
-  for (int k = 0; k < 3; ++k) t[k] = static_cast<float>(way.t[k]);
   const PointsView all = asking.places.view();
   const std::size_t n = end - begin;
   float *x = &s.x[place], *y = &s.y[place], *z = &s.z[place], *squared = &s.squared[place];
   std::int32_t* index = &s.index[place];
-  kernels_.transform({all.x + begin, all.y + begin, all.z + begin, n}, R, t, x, y, z);
+  transform(kernels_, {all.x + begin, all.y + begin, all.z + begin, n}, way, x, y, z);
   asking.near->nearest({x, y, z, n}, index, squared);
 
   const double reach = std::max(at.scale, settings_.reach * leaf_);

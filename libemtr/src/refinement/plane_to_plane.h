@@ -27,13 +27,13 @@ class PlaneToPlane {
       : pose_(pose), inverse_(1 / (scale * scale)), eps_(eps), gate_(gate) {}
 
   void add(const Oriented& source, const Oriented& target, NormalEquations& sums) const {
-    const double* R = pose_.R;
     double y[3], m[3], d[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double *row = R + 3 * k, px = source.p[0], py = source.p[1], pz = source.p[2],
+    const Eigen::Matrix3d& R = pose_.R;
+    for (int k = 0; k < 3; ++k) {
+      const double px = source.p[0], py = source.p[1], pz = source.p[2],
                    nx = source.n[0], ny = source.n[1], nz = source.n[2];
-      y[k] = row[0] * px + row[1] * py + row[2] * pz + pose_.t[k];
-      m[k] = row[0] * nx + row[1] * ny + row[2] * nz;
+      y[k] = R(k, 0) * px + R(k, 1) * py + R(k, 2) * pz + pose_.t[k];
+      m[k] = R(k, 0) * nx + R(k, 1) * ny + R(k, 2) * nz;
       d[k] = y[k] - target.p[k];
     }
     const double n[3] = {target.n[0], target.n[1], target.n[2]};

@@ -27,8 +27,8 @@ Rigid Procrustes::pose() const {
   const Eigen::Matrix3d &U = svd.matrixU(), &V = svd.matrixV();
   Eigen::Vector3d signs(1, 1, (V * U.transpose()).determinant() < 0 ? -1 : 1);
   const Matrix R = V * signs.asDiagonal() * U.transpose();
-  Eigen::Map<Matrix>(out.R) = R;
-  Eigen::Vector3d::Map(out.t) = q - R * p;
+  out.R = R;
+  out.t = q - out.rotate(p);
   return out;
 }
 

@@ -93,10 +93,10 @@ class SurfaceFit {
     std::size_t count = 0;
     for (std::size_t i = 0; i < c_.size(); ++i) {
       const Point p = at(c_.p(), i), q = at(c_.q(), i);
+      const Eigen::Vector3d moved = pose * Eigen::Vector3d::Map(p.v);
       double squared = 0;
-      for (std::size_t a = 0; a < 3; ++a) {
-        const double d = pose.R[3 * a] * p.v[0] + pose.R[3 * a + 1] * p.v[1] +
-                         pose.R[3 * a + 2] * p.v[2] + pose.t[a] - q.v[a];
+      for (int a = 0; a < 3; ++a) {
+        const double d = moved[a] - q.v[a];
         squared += d * d;
       }
       if (squared >= squared_) continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/transform.h"
+
 namespace emtr {
 namespace {
 
@@ -55,12 +57,11 @@ TaskBeta::TaskBeta(const Tims& tims, double tau, const Settings& settings, const
   target_ = in_order(q, rows);
 }
 
-double TaskBeta::evaluate(const double* rotation) const {
-  float R[9];
-  for (int i = 0; i < 9; ++i) R[i] = static_cast<float>(rotation[i]);
+double TaskBeta::evaluate(const Eigen::Matrix3d& rotation) const {
+  const RotationFloats R(rotation);
   std::vector<float> room(consensus_room(source_.size()));
   const Consensus found =
-      kernels_.consensus(source_.view(), target_.view(), R, squared_threshold_, room.data());
+      kernels_.consensus(source_.view(), target_.view(), R.values, squared_threshold_, room.data());
   return penalty_ * (static_cast<double>(tims_.formed()) - found.inliers) + found.residuals;
 }
 

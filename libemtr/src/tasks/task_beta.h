@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include "correspondences/tims.h"
 #include "settings/settings.h"
 
@@ -12,7 +14,7 @@ class TaskBeta {
   /// `tau` in the normalized frame.
   TaskBeta(const Tims& tims, double tau, const Settings& settings, const Kernels& kernels);
 
-  double evaluate(const double* R) const;  ///< R row-major
+  double evaluate(const Eigen::Matrix3d& rotation) const;
 
   bool informative() const { return tims_.kept() > 0; }
 

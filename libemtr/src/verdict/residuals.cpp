@@ -83,9 +83,7 @@ class Reference {
 
 Point moved(const double* p, const Rigid& pose) {
   Point out;
-  for (std::size_t a = 0; a < 3; ++a)
-    out[a] =
-        (pose.R[3 * a] * p[0] + pose.R[3 * a + 1] * p[1]) + pose.R[3 * a + 2] * p[2] + pose.t[a];
+  Eigen::Vector3d::Map(out.data()) = pose * Eigen::Vector3d::Map(p);
   return out;
 }
 
