@@ -109,7 +109,7 @@ cdef extern from "emtr/emtr.h" nogil:
         size_t sparse_source, sparse_target, dense_source, dense_target
         size_t correspondences, correspondences_found, tims, tims_pruned
         uint64_t queries_evaluation, queries_switch, queries_complement
-        double scale
+        double normalization_scale
         double center_source[3]
         double center_target[3]
         double leaf_sparse, leaf_dense, leaf_fine
@@ -127,7 +127,7 @@ cdef extern from "emtr/emtr.h" nogil:
         size_t alternative_count
         const emtr_alternative* alternatives
         double information[36]
-        double hold[6]
+        double hessian_eigenvalues[6]
         double hessian_eigenvectors[36]
         int32_t unconstrained_directions
         double seconds_seeds, seconds_candidates, seconds_fallback_search, seconds_refinement
@@ -188,7 +188,7 @@ cdef extern from "emtr/emtr.h" nogil:
     uint64_t emtr_problem_queries(const emtr_problem* problem)
 
     ctypedef struct emtr_problem_info:
-        double scale
+        double normalization_scale
         double center_source[3]
         double center_target[3]
         double leaf_sparse, leaf_dense, c_sparse, c_dense, tau

@@ -118,7 +118,7 @@ cdef class Problem:
     def describe(self):
         cdef emtr_problem_info info
         check(emtr_problem_describe(self.problem, &info, sizeof(info)))
-        return {"scale": info.scale,
+        return {"normalization_scale": info.normalization_scale,
                 "center_source": listed(info.center_source, 3),
                 "center_target": listed(info.center_target, 3),
                 "leaf_sparse": info.leaf_sparse, "leaf_dense": info.leaf_dense,

@@ -8,8 +8,8 @@ from typing import Any, Callable, NamedTuple, Optional
 class Progress(NamedTuple):
     """Given to the callback before each stage, after each iteration, and again every 20 ms or so.
 
-    ``stage`` is "frame", "densities", "features", "matching", "seeds", "evolution", "candidates",
-    "escalation", "refinement" or "verdict", in this order; a preset without a stage leaves it out.
+    ``stage`` is "normalization", "downsampling", "features", "matching", "seeds", "evolution", "candidates",
+    "fallback_search", "refinement" or "verdict", in this order; a preset without a stage leaves it out.
     ``iteration`` of ``iterations`` are done. ``best_alpha`` and ``best_beta`` are the best
     fitness so far of the two tasks, lower is better; alpha's scale changes at the switch from
     sparse to dense.

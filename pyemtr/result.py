@@ -66,9 +66,9 @@ class Result:
         information: float64 (6, 6), inverse of the pose's covariance for a small rotation w
             (radians) and then a shift v (the user's unit) about ``center_target`` c:
             q = exp(w) (R p + t - c) + c + v. NaN when not refined, as the two below.
-        hold: float64 (6,), how firmly the matched surfaces hold the pose, ascending: 0 for a
+        hessian_eigenvalues: float64 (6,), how firmly the matched surfaces hold the pose, ascending: 0 for a
             motion that slides them along themselves, to about 1.
-        hessian_eigenvectors: float64 (6, 6), a unit vector a row, by rows of ``hold``: rotation,
+        hessian_eigenvectors: float64 (6, 6), a unit vector a row, by rows of ``hessian_eigenvalues``: rotation,
             measured as the way at the surfaces' radius, then shift.
         unconstrained_directions: how many are not held; None when not refined.
         settings: every setting, as keyword arguments that repeat the run:
@@ -123,7 +123,7 @@ class Result:
     refined: bool
     alternatives: list[Alternative]
     information: Floats
-    hold: Floats
+    hessian_eigenvalues: Floats
     hessian_eigenvectors: Floats
     unconstrained_directions: int | None
     settings: dict[str, Any]
@@ -182,7 +182,7 @@ def make_result(raw: Mapping[str, Any], settings: dict[str, Any]) -> Result:
         Alternative(_matrix(pose, 4), score) for pose, score in raw["alternatives"]
     ]
     values["information"] = _matrix(raw["information"], 6)
-    values["hold"] = _vector(raw["hold"])
+    values["hessian_eigenvalues"] = _vector(raw["hessian_eigenvalues"])
     values["hessian_eigenvectors"] = _matrix(raw["hessian_eigenvectors"], 6)
     values["history"] = {task: _vector(best) for task, best in raw["history"].items()}
     return Result(settings=settings, **values)

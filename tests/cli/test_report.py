@@ -80,7 +80,7 @@ def test_says_how_far_to_trust_it(report, pair):
     assert np.linalg.eigvalsh(information).min() > 0
     directions = np.array(refinement["hessian_eigenvectors"])
     assert np.allclose(np.linalg.norm(directions, axis=1), 1)
-    assert refinement["hold"] == sorted(refinement["hold"]) and refinement["unconstrained_directions"] == 0
+    assert refinement["hessian_eigenvalues"] == sorted(refinement["hessian_eigenvalues"]) and refinement["unconstrained_directions"] == 0
 
 
 def test_paper_has_no_candidates(run, clouds, tmp_path):
@@ -96,14 +96,14 @@ def test_paper_has_no_candidates(run, clouds, tmp_path):
 
 
 STAGES = (
-    "frame",
-    "densities",
+    "normalization",
+    "downsampling",
     "features",
     "matching",
     "seeds",
     "evolution",
     "candidates",
-    "escalation",
+    "fallback_search",
     "refinement",
     "verdict",
 )
@@ -115,9 +115,9 @@ def test_times_and_costs_add_up(report):
     seconds = report["seconds"]
     stages = [seconds[name] for name in STAGES]
     assert min(stages) >= 0 and sum(stages) == pytest.approx(seconds["total"])
-    assert (seconds["escalation"] > 0) == report["used_fallback_search"]
+    assert (seconds["fallback_search"] > 0) == report["used_fallback_search"]
     assert seconds["load_source"] > 0 and seconds["load_target"] > 0
-    assert report["frame"]["scale"] > 0 and len(report["frame"]["center_source"]) == 3
+    assert report["normalization"]["scale"] > 0 and len(report["normalization"]["center_source"]) == 3
 
 
 def test_is_strict_json_when_a_value_is_unknown(run, small, tmp_path):

@@ -37,8 +37,8 @@ def test_progress_on_a_terminal(command, clouds, tmp_path):
     talk, output = talk_on_terminal(command, tmp_path)
     shown = [part for part in talk.split("\r\033[K") if part]
     for stage in (
-        "frame",
-        "densities",
+        "normalization",
+        "downsampling",
         "features",
         "matching",
         "seeds",

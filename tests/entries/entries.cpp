@@ -59,8 +59,8 @@ void print(const emtr_result& r, const std::vector<double>& residuals) {
   SCALAR(inlier_rmse), SCALAR(fitness_gap), SCALAR(points_source), SCALAR(points_target);
   SCALAR(dropped_source), SCALAR(dropped_target), SCALAR(sparse_source), SCALAR(dense_source);
   SCALAR(dense_target), SCALAR(correspondences), SCALAR(tims), SCALAR(tims_pruned);
-  SCALAR(scale), SCALAR(leaf_sparse), SCALAR(leaf_dense), SCALAR(iterations);
-  SCALAR(confidence), SCALAR(score), SCALAR(fit), SCALAR(violation), SCALAR(score_gap);
+  SCALAR(normalization_scale), SCALAR(leaf_sparse), SCALAR(leaf_dense), SCALAR(iterations);
+  SCALAR(confidence), SCALAR(score), SCALAR(surface_fit), SCALAR(violation), SCALAR(score_gap);
   SCALAR(seeds), SCALAR(candidates), SCALAR(used_fallback_search), SCALAR(refined), SCALAR(unconstrained_directions);
 #undef SCALAR
   print("transformation", r.transformation, 16);
@@ -72,7 +72,7 @@ void print(const emtr_result& r, const std::vector<double>& residuals) {
   print("alternatives", r.alternative_count ? r.alternatives->transformation : nullptr,
         17 * r.alternative_count);
   print("information", r.information, 36);
-  print("hold", r.hold, 6);
+  print("hessian_eigenvalues", r.hessian_eigenvalues, 6);
   print("hessian_eigenvectors", r.hessian_eigenvectors, 36);
   const std::uint64_t queries[] = {r.queries_evaluation, r.queries_switch, r.queries_complement};
   print("queries", queries, 3);

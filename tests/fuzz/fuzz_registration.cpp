@@ -105,7 +105,7 @@ void use(emtr_problem* problem, Input& input) {
   }
   emtr_problem_info info;
   require(accepted(emtr_problem_describe(problem, &info, sizeof info)));
-  require(info.scale > 0 && info.tims_pruned <= info.tims && info.leaf_dense > 0);
+  require(info.normalization_scale > 0 && info.tims_pruned <= info.tims && info.leaf_dense > 0);
   read_array(problem, input);
 }
 

@@ -40,7 +40,7 @@ inline emtr_settings small_settings(Input& input) {
   limit(settings, "fallback_candidates", 3);
   // Tiny clouds leave every run in doubt: all of them would make the second search, which costs as
   // much as ten without.
-  if (!seldom(input)) settings.escalation = 0;
+  if (!seldom(input)) settings.fallback_search = 0;
   // Images of what a sensor sees have a pixel for each leaf.
   settings.minimum_leaf_spacing = std::max(settings.minimum_leaf_spacing, 0.5);
   any_prior(input, settings);

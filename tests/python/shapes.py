@@ -69,7 +69,7 @@ def bits(result) -> bytes:
     arrays = [
         result.transformation,
         result.information,
-        result.hold,
+        result.hessian_eigenvalues,
         result.hessian_eigenvectors,
         result.history["alpha"],
         result.history["beta"],

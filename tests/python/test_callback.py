@@ -16,14 +16,14 @@ from children import environment
 import pyemtr
 
 STAGES = [
-    "frame",
-    "densities",
+    "normalization",
+    "downsampling",
     "features",
     "matching",
     "seeds",
     "evolution",
     "candidates",
-    "escalation",
+    "fallback_search",
     "refinement",
     "verdict",
 ]
@@ -31,7 +31,7 @@ ALL = {
     "iterations": 8,
     "threads": 2,
     "dense_points": 3000,
-    "escalation": "always",
+    "fallback_search": "always",
     "fallback_points": 4000,
 }  # quick, and through all stages
 
@@ -52,10 +52,10 @@ def test_each_stage_and_iteration_is_told(pair):
 @pytest.mark.parametrize(
     "changes, absent",
     [
-        ({"preset": "paper"}, {"seeds", "candidates", "escalation", "refinement"}),
-        ({"escalation": "off"}, {"escalation"}),
-        ({"refine": False}, {"escalation", "refinement"}),
-        ({"candidates": 0}, {"candidates", "escalation"}),
+        ({"preset": "paper"}, {"seeds", "candidates", "fallback_search", "refinement"}),
+        ({"fallback_search": "off"}, {"fallback_search"}),
+        ({"refine": False}, {"fallback_search", "refinement"}),
+        ({"candidates": 0}, {"candidates", "fallback_search"}),
     ],
 )
 def test_a_stage_that_does_not_run_is_not_told(pair, changes, absent):
@@ -86,7 +86,7 @@ def test_true_stops_at_any_stage(pair, stage):
     assert result.iterations == (8 if "evolution" in done else 0)
     assert np.isfinite(result.transformation).all() == ("seeds" in done)  # one of them at least
     assert np.isfinite(result.confidence) == ("candidates" in done)
-    assert result.used_fallback_search == ("escalation" in done)
+    assert result.used_fallback_search == ("fallback_search" in done)
     assert result.refined == ("refinement" in done)
 
 
@@ -213,7 +213,7 @@ def test_prepared_clouds_beside_arrays_are_watched_too(pair):
     for clouds in ((pair.source, model), (model, pair.source), (model, model)):
         seen = []
         result = pyemtr.register(*clouds, callback=seen.append, **ALL)
-        assert seen[0].stage == "frame"
+        assert seen[0].stage == "normalization"
         plain = [pair.target if cloud is model else cloud for cloud in clouds]
         again = pyemtr.register(*plain, **ALL)
         assert result.transformation.tobytes() == again.transformation.tobytes()

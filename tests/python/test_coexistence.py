@@ -133,7 +133,7 @@ def test_beside_users_of_openmp_in_either_order(pair, imports, tmp_path):
 
 def test_nothing_is_written(pair, capfd):
     pyemtr.register(
-        pair.source, pair.target, iterations=3, escalation="always", fallback_points=3000
+        pair.source, pair.target, iterations=3, fallback_search="always", fallback_points=3000
     )
     with pytest.raises(ValueError):
         pyemtr.register(pair.source[:5], pair.target)

@@ -71,7 +71,7 @@ def test_a_lattice_fits_in_many_ways():
 
 
 def test_alternatives_are_other_poses_best_first(twofold):
-    found = pyemtr.register(twofold.source, twofold.target, threads=2, escalation="always")
+    found = pyemtr.register(twofold.source, twofold.target, threads=2, fallback_search="always")
     assert found.used_fallback_search is True
     scores = [alternative.score for alternative in found.alternatives]
     assert scores == sorted(scores, reverse=True) and scores[0] <= found.score

@@ -14,10 +14,10 @@ def solved(pair):
 
 def test_shapes_and_order(solved):
     assert solved.information.shape == solved.hessian_eigenvectors.shape == (6, 6)
-    assert solved.hold.shape == (6,)
+    assert solved.hessian_eigenvalues.shape == (6,)
     np.testing.assert_allclose(solved.information, solved.information.T, rtol=1e-9)
     assert np.linalg.eigvalsh(solved.information).min() > 0
-    assert 0 < solved.hold[0] <= solved.hold[-1] <= 1 and np.all(np.diff(solved.hold) >= 0)
+    assert 0 < solved.hessian_eigenvalues[0] <= solved.hessian_eigenvalues[-1] <= 1 and np.all(np.diff(solved.hessian_eigenvalues) >= 0)
     np.testing.assert_allclose(
         solved.hessian_eigenvectors @ solved.hessian_eigenvectors.T, np.eye(6), atol=1e-9
     )
@@ -31,7 +31,7 @@ def test_the_unit_of_the_information(pair, solved):
     np.testing.assert_allclose(
         other.information * np.outer(units, units), solved.information, rtol=1e-9
     )
-    np.testing.assert_array_equal(other.hold, solved.hold)
+    np.testing.assert_array_equal(other.hessian_eigenvalues, solved.hessian_eigenvalues)
 
 
 def test_the_information_foretells_the_scatter_of_the_pose():
@@ -72,13 +72,13 @@ def test_a_ball_turns_as_it_likes():
     assert found.reason == "degenerate" and not found.registered
     assert "slide or spin" in found.reason_text
     assert found.unconstrained_directions == 3
-    assert found.hold[:3].max() < 0.01 < 0.1 < found.hold[3:].min()
+    assert found.hessian_eigenvalues[:3].max() < 0.01 < 0.1 < found.hessian_eigenvalues[3:].min()
     assert np.abs(found.hessian_eigenvectors[:3, 3:]).max() < 0.05  # the free ones are rotations
 
 
 def test_without_refinement_nothing_is_known(pair):
     found = pyemtr.register(pair.source, pair.target, refine=False, threads=2)
     assert found.refined is False and found.unconstrained_directions is None
-    for array in (found.information, found.hold, found.hessian_eigenvectors):
+    for array in (found.information, found.hessian_eigenvalues, found.hessian_eigenvectors):
         assert np.isnan(array).all()
-    assert found.to_dict()["hold"] == [None] * 6 and found.confidence > 0.9
+    assert found.to_dict()["hessian_eigenvalues"] == [None] * 6 and found.confidence > 0.9

@@ -10,7 +10,7 @@ from shapes import bits
 
 import pyemtr
 
-SMALL = {"threads": 1, "iterations": 3, "population": 8, "escalation": "off", "dense_points": 1500}
+SMALL = {"threads": 1, "iterations": 3, "population": 8, "fallback_search": "off", "dense_points": 1500}
 
 
 @pytest.fixture(scope="module")

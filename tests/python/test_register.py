@@ -100,7 +100,7 @@ def test_the_fields_say_what_happened(pair, solved):
     assert sum(seconds for stage, seconds in solved.timings.items() if stage != "total") == (
         pytest.approx(solved.timings["total"])
     )
-    assert all(seconds > 0 for stage, seconds in solved.timings.items() if stage != "escalation")
+    assert all(seconds > 0 for stage, seconds in solved.timings.items() if stage != "fallback_search")
     assert 0 <= solved.fitness <= 1 and 0 < solved.inlier_ratio_source <= 1
     np.testing.assert_allclose(solved.center_source, pair.source.mean(axis=0), atol=1e-12)
 
@@ -127,7 +127,7 @@ def test_the_settings_repeat_the_run(pair):
         dense_points=2000,
         source_viewpoint=[4, 3, 2.5],
         target_viewpoint=(1, 2, 3),
-        escalation="always",
+        fallback_search="always",
         fallback_points=3000,
         **QUICK,
     )

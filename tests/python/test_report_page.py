@@ -113,12 +113,12 @@ def test_costs_are_rendered(tmp_path):
         "stages": {"points": [10, 20], "kernel": "generic", "repetitions": 3,
                    "slow_repetitions": 1,
                    "profiles": [{"preset": "paper", "threads": 1,
-                                 "seconds": {"frame": QUARTILES}}],
+                                 "seconds": {"normalization": QUARTILES}}],
                    "structures": [{"preset": "paper", "threads": 1, "ratio": 12.34,
                                    "same_bits": False,
                                    "evolution": {"grid": QUARTILES, "kdtree": QUARTILES}}]},
         "scaling": {"slope": 0.987, "slope_from": 1000,
-                    "sizes": [{"points": 5000, "stages": {"frame": 0.5}, "seconds": 1.5,
+                    "sizes": [{"points": 5000, "stages": {"normalization": 0.5}, "seconds": 1.5,
                                "peak_bytes": 3e6, "memory_over_input": 2.5, "E_R": 0.25}]},
         "neighbors": {"benchmarks": [
             {"run_type": "iteration", "run_name": f"{name}/random/600", "look_up": seconds}

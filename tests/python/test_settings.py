@@ -48,7 +48,7 @@ def test_the_paper_preset_is_the_method_as_published():
     paper = settings_used(make_settings(0, 0, "paper", None, {}))
     assert (paper["iterations"], paper["dense_points"], paper["sparse_points"]) == (100, 4000, 600)
     assert paper["seeds"] == paper["injected_seeds"] == paper["candidates"] == 0
-    assert paper["escalation"] == "off" and paper["features"] == "pcl"
+    assert paper["fallback_search"] == "off" and paper["features"] == "pcl"
     assert paper["rotation_vector_steps"] == paper["arc_transfer"] == "off"
     assert paper["restart_after"] == 0
     assert paper["refine"] is paper["free_space"] is False
@@ -57,7 +57,7 @@ def test_the_paper_preset_is_the_method_as_published():
 def test_swarms_step_in_their_own_way_where_no_particle_starts_at_a_seed():
     def pose(**changes):
         few = {"population": 8, "iterations": 12, "candidates": 0, "refine": False}
-        options = {"escalation": "off", **few, **changes}
+        options = {"fallback_search": "off", **few, **changes}
         return pyemtr.register(CLOUD, CLOUD[:150] @ TURN, seed=2, **options).transformation
 
     angles = {"rotation_vector_steps": "off", "arc_transfer": "off"}

@@ -7,7 +7,7 @@ from shapes import bits
 
 import pyemtr
 
-ALWAYS = {"threads": 2, "escalation": "always", "fallback_points": 8000}
+ALWAYS = {"threads": 2, "fallback_search": "always", "fallback_points": 8000}
 
 
 @pytest.fixture(scope="module")

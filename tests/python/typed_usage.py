@@ -50,7 +50,7 @@ def how_sure(source: NDArray[np.float32], target: NDArray[np.float32]) -> list[f
         result.used_fallback_search,
         free,
         deviation.max(),
-        result.hold.min(),
+        result.hessian_eigenvalues.min(),
         result.hessian_eigenvectors[:free],
     )
     others: list[pyemtr.Alternative] = result.alternatives

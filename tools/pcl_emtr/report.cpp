@@ -84,7 +84,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                     {"inlier_rmse", r.inlier_rmse},
                     {"inlier_rmse_plane", r.inlier_rmse_plane},
                     {"score", r.score},
-                    {"fit", r.fit},
+                    {"surface_fit", r.surface_fit},
                     {"violation", r.violation},
                     {"score_gap", r.score_gap}};
   out["used_fallback_search"] = r.used_fallback_search != 0;
@@ -113,7 +113,7 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                     {"switch", r.queries_switch},
                     {"complement", r.queries_complement},
                     {"total", r.queries_evaluation + r.queries_switch + r.queries_complement}};
-  out["frame"] = {{"scale", r.scale},
+  out["normalization"] = {{"normalization_scale", r.normalization_scale},
                   {"center_source", r.center_source},
                   {"center_target", r.center_target},
                   {"leaf_sparse", r.leaf_sparse},
@@ -121,14 +121,14 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
                   {"leaf_fine", r.leaf_fine}};
   out["seconds"] = {{"load_source", source.milliseconds / 1e3},
                     {"load_target", target.milliseconds / 1e3},
-                    {"frame", r.seconds_normalization},
-                    {"densities", r.seconds_downsampling},
+                    {"normalization", r.seconds_normalization},
+                    {"downsampling", r.seconds_downsampling},
                     {"features", r.seconds_features},
                     {"matching", r.seconds_matching},
                     {"seeds", r.seconds_seeds},
                     {"evolution", r.seconds_evolution},
                     {"candidates", r.seconds_candidates},
-                    {"escalation", r.seconds_fallback_search},
+                    {"fallback_search", r.seconds_fallback_search},
                     {"refinement", r.seconds_refinement},
                     {"verdict", r.seconds_verdict},
                     {"total", r.seconds_total}};

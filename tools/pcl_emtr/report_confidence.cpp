@@ -14,7 +14,7 @@ Json alternatives_json(const emtr_result& result) {
 Json refinement_json(const emtr_result& result) {
   if (!result.refined) return Json();
   return {{"information", rows<6>(result.information)},
-          {"hold", result.hold},
+          {"hessian_eigenvalues", result.hessian_eigenvalues},
           {"hessian_eigenvectors", rows<6>(result.hessian_eigenvectors)},
           {"unconstrained_directions", result.unconstrained_directions}};
 }

@@ -40,10 +40,10 @@ std::string ms(double seconds) {
 /// Milliseconds of the stages that took any.
 std::string stages(const emtr_result& r) {
   const std::pair<const char*, double> all[] = {
-      {"frame", r.seconds_normalization},           {"densities", r.seconds_downsampling},
+      {"normalization", r.seconds_normalization},           {"downsampling", r.seconds_downsampling},
       {"features", r.seconds_features},     {"matching", r.seconds_matching},
       {"seeds", r.seconds_seeds},           {"evolution", r.seconds_evolution},
-      {"candidates", r.seconds_candidates}, {"escalation", r.seconds_fallback_search},
+      {"candidates", r.seconds_candidates}, {"fallback_search", r.seconds_fallback_search},
       {"refinement", r.seconds_refinement}, {"verdict", r.seconds_verdict}};
   std::string text;
   for (const auto& [name, seconds] : all) {
@@ -128,7 +128,7 @@ void Talk::standing(const emtr_result& r) const {
     return;
   }
   INFO("\n  surfaces: fit ");
-  VALUE("%.4f", r.fit);
+  VALUE("%.4f", r.surface_fit);
   INFO(" (1 is best), violation ");
   VALUE("%.4f", r.violation);
   INFO(" (0 is best), score ");

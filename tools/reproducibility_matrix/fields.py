@@ -19,7 +19,7 @@ SCALARS = [
 ]
 LISTS = [
     *("transformation", "center_source", "center_target", "history_alpha", "history_beta"),
-    *("alternatives", "information", "hold", "hessian_eigenvectors", "queries"),
+    *("alternatives", "information", "hessian_eigenvalues", "hessian_eigenvectors", "queries"),
     *("residuals", "residuals_single"),  # of the source; single: as a file holds them
 ]
 
@@ -42,7 +42,7 @@ def of_result(result: Any, residuals: Any) -> Fields:
 
 def of_report(report: Mapping[str, Any], residuals: Any) -> Fields:
     """Of the report of pcl_emtr, read by json, and the residuals in its cloud, float32 (n,)."""
-    whole = {**report, **report["quality"], **report["counts"], **report["frame"]}
+    whole = {**report, **report["quality"], **report["counts"], **report["normalization"]}
     refinement, queries = report["refinement"] or {}, report["queries"]  # none when not refined
     whole["unconstrained_directions"] = refinement.get("unconstrained_directions")
     values = {name: whole[name] for name in SCALARS}
@@ -53,7 +53,7 @@ def of_report(report: Mapping[str, Any], residuals: Any) -> Fields:
     )
     others = [(other["transformation"], other["score"]) for other in report["alternatives"]]
     values["alternatives"] = [v for T, score in others for v in [*_flat(T), score]]
-    for name, length in (("information", 36), ("hold", 6), ("hessian_eigenvectors", 36)):
+    for name, length in (("information", 36), ("hessian_eigenvalues", 6), ("hessian_eigenvectors", 36)):
         given = refinement.get(name)
         values[name] = _flat(given) if given is not None else [math.nan] * length
     values["queries"] = [queries["evaluation"], queries["switch"], queries["complement"]]

@@ -156,8 +156,8 @@ typedef struct emtr_settings {
   int32_t candidates; /* 0: the swarm's best is the answer */
   int32_t free_space; /* 0: points in front of what the other scan saw cost nothing */
 
-  /* escalation: more feature points, both signs of the normals, more candidates */
-  int32_t escalation; /* 0 off, 1 when the confidence is below fallback_confidence, 2 always */
+  /* fallback search: more feature points, both signs of the normals, more candidates */
+  int32_t fallback_search; /* 0 off, 1 when the confidence is below fallback_confidence, 2 always */
   double fallback_confidence;
   int32_t fallback_points; /* of both clouds together */
   int32_t fallback_correspondences;
@@ -213,6 +213,21 @@ typedef struct emtr_settings {
   const int32_t* correspondences;
   size_t correspondence_count;
 } emtr_settings;
+
+/* Values of the settings that are a choice. */
+typedef enum emtr_when {
+  EMTR_OFF = 0,  /* never */
+  EMTR_AUTO = 1, /* where the setting says that it helps */
+  EMTR_ALWAYS = 2
+} emtr_when; /* fallback_search, rotation_vector_steps, arc_transfer */
+
+typedef enum emtr_features { EMTR_FEATURES_PCL = 0, EMTR_FEATURES_SIMD = 1 } emtr_features;
+
+typedef enum emtr_neighbors {
+  EMTR_NEIGHBORS_GRID = 0,
+  EMTR_NEIGHBORS_KDTREE = 1,
+  EMTR_NEIGHBORS_BRUTE_FORCE = 2
+} emtr_neighbors;
 
 /* Fills *settings with a preset: "default" (also for a null pointer), "fast", "thorough" or
  * "paper", which is the method as published. `size` is
@@ -290,7 +305,7 @@ typedef struct emtr_cloud {
 
 typedef struct emtr_progress {
   const char* stage;  /* "frame", "densities", "features", "matching", "seeds", "evolution",
-                         "candidates", "escalation", "refinement", "verdict" */
+                         "candidates", "fallback search", "refinement", "verdict" */
   int32_t iteration;  /* done, in "evolution"; else 0 */
   int32_t iterations; /* in all */
   double best_alpha;  /* fitness of gbest of task alpha, lower is better */
@@ -375,8 +390,8 @@ typedef struct emtr_result {
   uint64_t queries_switch;     /* of the pbests, evaluated again at the switch */
   uint64_t queries_complement; /* of Algorithm 2 */
 
-  /* the normalized frame: p' = (p - center) / scale */
-  double scale; /* user's unit */
+  /* the normalized frame: p' = (p - center) / normalization_scale */
+  double normalization_scale; /* user's unit */
   double center_source[3];
   double center_target[3];
   double leaf_sparse; /* normalized frame */
@@ -407,7 +422,7 @@ typedef struct emtr_result {
                         0 to 1, in steps of 1e-6; NaN without candidates, as the four below, and
                         when stopped before all of them were ranked */
   double score;      /* fit - 2 violation, at most 1 */
-  double fit;        /* how well the surfaces lie on each other, 0 to 1 (best) */
+  double surface_fit; /* how well the surfaces lie on each other, 0 to 1 (best) */
   double violation;  /* share of points in front of what the other scan saw */
   double score_gap;  /* score minus that of the best clearly different candidate */
   size_t seeds;      /* poses that consistent matches gave, at all feature densities */
@@ -424,7 +439,7 @@ typedef struct emtr_result {
   /* how firmly the matched surfaces hold the pose, ascending, 0 for a motion that slides them along
    * themselves to about 1: eigenvalues of the Hessian, rotations measured at the surfaces' radius.
    * NaN when it was not refined */
-  double hold[6];
+  double hessian_eigenvalues[6];
   double hessian_eigenvectors[36]; /* unit vectors, one a row: rotation at that radius, then shift */
   int32_t unconstrained_directions;    /* how many are not held; -1 when it was not refined */
 
@@ -552,7 +567,7 @@ EMTR_API emtr_status emtr_transformation_to_particle(const emtr_problem* problem
 EMTR_API uint64_t emtr_problem_queries(const emtr_problem* problem);
 
 typedef struct emtr_problem_info {
-  double scale; /* user's unit */
+  double normalization_scale; /* user's unit */
   double center_source[3];
   double center_target[3];
   double leaf_sparse; /* normalized frame, as all below */

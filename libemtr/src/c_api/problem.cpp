@@ -65,9 +65,9 @@ emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info
   return guarded([&] {
     const emtr_problem& p = checked(problem);
     emtr_problem_info out{};
-    out.scale = p.frame.scale;
-    std::copy_n(p.frame.center_source, 3, out.center_source);
-    std::copy_n(p.frame.center_target, 3, out.center_target);
+    out.normalization_scale = p.normalization.scale;
+    std::copy_n(p.normalization.center_source, 3, out.center_source);
+    std::copy_n(p.normalization.center_target, 3, out.center_target);
     out.leaf_sparse = p.downsampled.leaf_sparse;
     out.leaf_dense = p.downsampled.leaf_dense;
     out.c_sparse = p.alpha->scale(EMTR_STAGE_SPARSE);

@@ -85,7 +85,7 @@ emtr_status emtr_particle_to_transformation(const emtr_problem* problem, const d
                                             double T[16]) {
   return guarded([&] {
     require_near(&required(particle, "particle"), 6, "particle");
-    const emtr::Rigid pose = checked(problem).frame.to_user(emtr::decode(particle));
+    const emtr::Rigid pose = checked(problem).normalization.to_user(emtr::decode(particle));
     emtr::to_matrix(pose, &required(T, "transformation"));
   });
 }
@@ -94,7 +94,7 @@ emtr_status emtr_transformation_to_particle(const emtr_problem* problem, const d
                                             double particle[6]) {
   return guarded([&] {
     const emtr::Rigid pose =
-        checked(problem).frame.to_normalized(emtr::given_rigid(&required(T, "transformation")));
+        checked(problem).normalization.to_normalized(emtr::given_rigid(&required(T, "transformation")));
     emtr::encode(pose, &required(particle, "particle"));
   });
 }

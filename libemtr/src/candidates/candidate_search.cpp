@@ -35,8 +35,8 @@ void CandidateSearch::add(const std::vector<Rigid>& poses, const std::vector<Rig
   });
 }
 
-void CandidateSearch::escalate() {
-  const GivenViewpoints given(settings_, pair_.frame);
+void CandidateSearch::run_fallback_search() {
+  const GivenViewpoints given(settings_, pair_.normalization);
   const Viewpoints of_source = viewpoints(surfaces_.source(), given.source);
   const Viewpoints of_target = viewpoints(surfaces_.target(), given.target);
   const auto seeds = admissible(

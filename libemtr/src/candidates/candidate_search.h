@@ -25,7 +25,7 @@ class CandidateSearch {
   void add(const std::vector<Rigid>& poses, const std::vector<Rigid>& many);
 
   /// Searches again with more feature points, and lets free space have its say.
-  void escalate();
+  void run_fallback_search();
   bool used_fallback_search() const { return oriented_ != nullptr; }
 
   const std::vector<Candidate>& ranked() const { return candidate_set_->ranked(); }
@@ -39,7 +39,7 @@ class CandidateSearch {
   const Kernels& kernels_;
   const Prior* prior_;
   const int threads_;
-  std::unique_ptr<SurfacePair> oriented_;  ///< with viewpoints, after an escalation
+  std::unique_ptr<SurfacePair> oriented_;  ///< with viewpoints, after an fallback search
   std::unique_ptr<CandidateSet> candidate_set_;
 };
 

@@ -19,7 +19,7 @@ struct Candidate {
 
 inline const Rigid& pose_of(const Candidate& candidate) { return candidate.pose; }
 
-/// The poses from all sources (seeds, the swarm, escalation, the caller) in one ranking: a little
+/// The poses from all sources (seeds, the swarm, fallback search, the caller) in one ranking: a little
 /// polish each, then the fine score. Distinct ones, best first.
 class CandidateSet {
  public:

@@ -62,8 +62,8 @@ std::int32_t place(const std::vector<std::int32_t>& rows, std::int32_t row) {
 
 UserCorrespondences load_user_correspondences(const NormalizedPair& pair, const std::int32_t* rows,
                              std::size_t count, std::size_t most) {
-  const Side source(*pair.preprocessed_source, pair.frame.scale, "source"),
-      target(*pair.preprocessed_target, pair.frame.scale, "target");
+  const Side source(*pair.preprocessed_source, pair.normalization.scale, "source"),
+      target(*pair.preprocessed_target, pair.normalization.scale, "target");
   std::set<std::pair<std::int32_t, std::int32_t>> known;
   std::vector<Correspondence> distinct;
   for (std::size_t i = 0; i < count; ++i) {

@@ -35,8 +35,8 @@ bool have_features(const NormalizedPair& pair) {
 }
 
 FeatureClouds user_keypoints(const NormalizedPair& pair, double leaf) {
-  return {feature_cloud(*pair.preprocessed_source, pair.frame.scale, leaf),
-          feature_cloud(*pair.preprocessed_target, pair.frame.scale, leaf)};
+  return {feature_cloud(*pair.preprocessed_source, pair.normalization.scale, leaf),
+          feature_cloud(*pair.preprocessed_target, pair.normalization.scale, leaf)};
 }
 
 }  // namespace emtr

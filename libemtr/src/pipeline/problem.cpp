@@ -75,21 +75,21 @@ void Problem::prepare(const Normalize& normalized, const Settings& given, Cancel
     if (watch.tell({stage, 0, 0, 0, 0})) throw Cancelled();
   };
 
-  enter("frame");
+  enter("normalization");
   {
-    const Timed timed(seconds_.frame);
+    const Timed timed(seconds_.normalization);
     pair = normalized();
-    prior = make_prior(settings, frame);
+    prior = make_prior(settings, normalization);
   }
   dropped_source = pair.preprocessed_source->dropped;
   dropped_target = pair.preprocessed_target->dropped;
   points_source = pair.preprocessed_source->count;
   points_target = pair.preprocessed_target->count;
 
-  enter("densities");
+  enter("downsampling");
   {
     const Timed timed(seconds_.downsampled);
-    downsampled = thin(pair, settings);
+    downsampled = downsample(pair, settings);
   }
 
   enter("features");
@@ -135,7 +135,7 @@ void Problem::describe_dense() {
   definition.normals_only = handed != nullptr;
   const int threads = thread_count(settings);
   // One rule for both: only where both sensors are known do the normals turn to them.
-  const GivenViewpoints given(settings, frame);
+  const GivenViewpoints given(settings, normalization);
   const auto described = [&](const Cloud& cloud, const Cloud& normals,
                              const std::optional<Viewpoint>& viewpoint) {
     FeatureDefinition own = definition;
@@ -184,7 +184,7 @@ void Problem::find_seeds() {
 
 void Problem::make_surfaces() {
   if (settings.candidates == 0) return;
-  const GivenViewpoints given(settings, frame);
+  const GivenViewpoints given(settings, normalization);
   const auto viewpoints = [this](const Surface& of, const std::optional<Viewpoint>& at) {
     return at ? given_viewpoint(of, *at, kernels) : Viewpoints{};
   };

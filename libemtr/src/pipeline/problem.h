@@ -50,7 +50,7 @@ class Problem {
   const Kernels& kernels;  ///< the inner loops in use
   std::size_t dropped_source = 0, dropped_target = 0, points_source = 0, points_target = 0;
   NormalizedPair pair;
-  const Frame& frame = pair.frame;
+  const Normalization& normalization = pair.normalization;
   PriorPtr prior;  ///< null when every pose is admissible
   DownsampledClouds downsampled;
   Features source_features, target_features;  ///< of the dense clouds; no descriptors with `handed`
@@ -85,7 +85,7 @@ class Problem {
   friend class Registration;
   bool stopped_ = false;
   struct {
-    double frame = 0, downsampled = 0, features = 0, matching = 0, seeds = 0;
+    double normalization = 0, downsampled = 0, features = 0, matching = 0, seeds = 0;
   } seconds_;
 };
 

@@ -58,9 +58,9 @@ void Registration::search() {
       rank();
     }
     if (unsure()) {
-      enter("escalation");
+      enter("fallback_search");
       const Timed timed(r.seconds_fallback_search);
-      search_->escalate();
+      search_->run_fallback_search();
       settle();
     }
     if (settings_.refine) {
@@ -112,12 +112,12 @@ void Registration::describe_problem() {
   r.tims = problem_.tims.formed();
   r.tims_pruned = problem_.tims.pruned;
   r.seeds = problem_.seeds.size();
-  r.scale = problem_.frame.scale;
-  std::copy_n(problem_.frame.center_source, 3, r.center_source);
-  std::copy_n(problem_.frame.center_target, 3, r.center_target);
+  r.normalization_scale = problem_.normalization.scale;
+  std::copy_n(problem_.normalization.center_source, 3, r.center_source);
+  std::copy_n(problem_.normalization.center_target, 3, r.center_target);
   r.leaf_sparse = d.leaf_sparse;
   r.leaf_dense = d.leaf_dense;
-  r.seconds_normalization = problem_.seconds_.frame;
+  r.seconds_normalization = problem_.seconds_.normalization;
   r.seconds_downsampling = problem_.seconds_.downsampled;
   r.seconds_features = problem_.seconds_.features;
   r.seconds_matching = problem_.seconds_.matching;
@@ -125,19 +125,19 @@ void Registration::describe_problem() {
 
   std::fill_n(r.transformation, 16, kUnknown);
   std::fill_n(r.information, 36, kUnknown);
-  std::fill_n(r.hold, 6, kUnknown);
+  std::fill_n(r.hessian_eigenvalues, 6, kUnknown);
   std::fill_n(r.hessian_eigenvectors, 36, kUnknown);
   r.unconstrained_directions = -1;
   r.reason = EMTR_REASON_INTERRUPTED;
   r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.fitness_gap = kUnknown;
   r.overlap_source = r.overlap_target = r.inlier_rmse = r.inlier_rmse_plane = kUnknown;
   r.leaf_fine = kUnknown;
-  r.confidence = r.score = r.fit = r.violation = r.score_gap = kUnknown;
+  r.confidence = r.score = r.surface_fit = r.violation = r.score_gap = kUnknown;
 }
 
 std::vector<Rigid> Registration::guess() const {
   if (!settings_.has_guess) return {};
-  return {admitted(normalized_guess(settings_, problem_.frame))};
+  return {admitted(normalized_guess(settings_, problem_.normalization))};
 }
 
 Rigid Registration::admitted(const Rigid& pose) const {
@@ -191,7 +191,7 @@ void Registration::settle() {
 
 bool Registration::unsure() const {
   if (!search_ || search_->ranked().empty()) return false;
-  return in_use(settings_.escalation, confidence_.confidence < settings_.fallback_confidence);
+  return in_use(settings_.fallback_search, confidence_.confidence < settings_.fallback_confidence);
 }
 
 const FineSurfaces& Registration::fine() {
@@ -217,7 +217,7 @@ void Registration::conclude() {
   r.inlier_ratio_source = v.inlier_ratio_source;
   r.inlier_ratio_target = v.inlier_ratio_target;
   r.fitness_gap = v.fitness_gap;
-  to_matrix(problem_.frame.to_user(*answer_), r.transformation);
+  to_matrix(problem_.normalization.to_user(*answer_), r.transformation);
   r.alpha = evolution_.history_alpha;
   r.beta = evolution_.history_beta;
 
@@ -231,7 +231,7 @@ void Registration::conclude_candidates() {
   r.candidates = search_->ranked().size();
   r.used_fallback_search = search_->used_fallback_search();
   r.score = best.score;
-  r.fit = best.fit.score;
+  r.surface_fit = best.fit.score;
   r.violation = best.violation;
   if (!ranked_) return;  // stopped before the others were
   r.score_gap = confidence_.gap;
@@ -243,7 +243,7 @@ void Registration::conclude_candidates() {
   }
   for (const Candidate& other : confidence_.others) {
     r.others.emplace_back();
-    to_matrix(problem_.frame.to_user(other.pose), r.others.back().transformation);
+    to_matrix(problem_.normalization.to_user(other.pose), r.others.back().transformation);
     r.others.back().score = other.score;
   }
 }
@@ -252,13 +252,13 @@ void Registration::conclude_refinement() {
   Result& r = *result_;
   r.refined = 1;
   // A shift in the user's unit is `scale` times as many, its information that much less.
-  const double unit[3] = {1, r.scale, r.scale * r.scale};
+  const double unit[3] = {1, r.normalization_scale, r.normalization_scale * r.normalization_scale};
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
       r.information[6 * i + j] = refined_.information[6 * i + j] / unit[(i >= 3) + (j >= 3)];
   r.unconstrained_directions = refined_.hessian_spectrum.free;
   for (int i = 0; i < 6; ++i) {
-    r.hold[i] = refined_.hessian_spectrum.values[i];
+    r.hessian_eigenvalues[i] = refined_.hessian_spectrum.values[i];
     std::copy_n(refined_.hessian_spectrum.directions[i], 6, r.hessian_eigenvectors + 6 * i);
   }
 }
@@ -273,8 +273,8 @@ void Registration::conclude_overlap() {
   r.leaf_fine = fine().leaf();
   r.overlap_source = agreement.overlap_source;
   r.overlap_target = agreement.overlap_target;
-  r.inlier_rmse = agreement.rmse * r.scale;
-  r.inlier_rmse_plane = agreement.plane_rmse * r.scale;
+  r.inlier_rmse = agreement.rmse * r.normalization_scale;
+  r.inlier_rmse_plane = agreement.plane_rmse * r.normalization_scale;
 }
 
 }  // namespace emtr

@@ -10,7 +10,7 @@
 
 namespace emtr {
 
-/// The way from a problem to a result: evolution from the seeds, candidates from both, escalation
+/// The way from a problem to a result: evolution from the seeds, candidates from both, fallback search
 /// when they do not convince, refinement of the best, verdict.
 class Registration {
  public:

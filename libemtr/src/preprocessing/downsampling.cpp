@@ -56,7 +56,7 @@ double finest_leaf(const NormalizedPair& pair, const Settings& settings) {
   const auto points = pair.source.size() + pair.target.size();
   if (points > 4 * static_cast<std::size_t>(settings.dense_points)) return kFinestLeaf;
   const auto spacing = [&](const PreprocessedCloud& cloud) {
-    return cloud.spacing() * (cloud.radius / pair.frame.scale);
+    return cloud.spacing() * (cloud.radius / pair.normalization.scale);
   };
   const double wider = std::max(spacing(*pair.preprocessed_source), spacing(*pair.preprocessed_target));
   return std::clamp(settings.minimum_leaf_spacing * wider, kFinestLeaf, kCoarsestLeaf / 2);
@@ -100,8 +100,8 @@ class Thinning {
     out.source_normals = mean_of(pair_.source, pair_.preprocessed_source->normals);
     out.target_normals = mean_of(pair_.target, pair_.preprocessed_target->normals);
 
-    require_some_left(out.source_dense, "source", out.leaf_dense, pair_.frame.scale);
-    require_some_left(out.target_dense, "target", out.leaf_dense, pair_.frame.scale);
+    require_some_left(out.source_dense, "source", out.leaf_dense, pair_.normalization.scale);
+    require_some_left(out.target_dense, "target", out.leaf_dense, pair_.normalization.scale);
   }
 
   void sparse(DownsampledClouds& out) {
@@ -132,7 +132,7 @@ class Thinning {
 
 }  // namespace
 
-DownsampledClouds thin(const NormalizedPair& pair, const Settings& settings) {
+DownsampledClouds downsample(const NormalizedPair& pair, const Settings& settings) {
   DownsampledClouds out;
   Thinning thinning(pair, settings);
   thinning.dense(out);

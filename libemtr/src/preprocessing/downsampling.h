@@ -14,7 +14,7 @@ struct DownsampledClouds {
   Cloud source_normals, target_normals;  ///< of the dense clouds, if the caller gave some (unit)
 };
 
-DownsampledClouds thin(const NormalizedPair& pair, const Settings& settings);
+DownsampledClouds downsample(const NormalizedPair& pair, const Settings& settings);
 
 /// The dense clouds alone: the sparse ones stay empty.
 DownsampledClouds downsample_dense(const NormalizedPair& pair, const Settings& settings);

@@ -17,11 +17,11 @@ Cloud scaled(const Cloud& cloud, double factor) {
 
 NormalizedPair normalize(PreprocessedCloudPtr source, PreprocessedCloudPtr target) {
   NormalizedPair pair;
-  pair.frame.scale = std::max(source->radius, target->radius);
-  std::copy_n(source->center, 3, pair.frame.center_source);
-  std::copy_n(target->center, 3, pair.frame.center_target);
-  pair.source = scaled(source->base, source->radius / pair.frame.scale);
-  pair.target = scaled(target->base, target->radius / pair.frame.scale);
+  pair.normalization.scale = std::max(source->radius, target->radius);
+  std::copy_n(source->center, 3, pair.normalization.center_source);
+  std::copy_n(target->center, 3, pair.normalization.center_target);
+  pair.source = scaled(source->base, source->radius / pair.normalization.scale);
+  pair.target = scaled(target->base, target->radius / pair.normalization.scale);
   pair.preprocessed_source = std::move(source);
   pair.preprocessed_target = std::move(target);
   return pair;
@@ -37,14 +37,14 @@ NormalizedPair normalize(const emtr_cloud& source, const emtr_cloud& target, int
   return normalize(std::move(preprocessed_source), std::move(preprocessed_target));
 }
 
-Rigid Frame::to_user(const Rigid& pose) const {
+Rigid Normalization::to_user(const Rigid& pose) const {
   Rigid out = pose;
   out.t = scale * pose.t + Eigen::Vector3d::Map(center_target) -
           pose.rotate(Eigen::Vector3d::Map(center_source));
   return out;
 }
 
-Rigid Frame::to_normalized(const Rigid& pose) const {
+Rigid Normalization::to_normalized(const Rigid& pose) const {
   Rigid out = pose;
   out.t = (pose.t + pose.rotate(Eigen::Vector3d::Map(center_source)) -
            Eigen::Vector3d::Map(center_target)) /

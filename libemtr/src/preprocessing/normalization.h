@@ -10,7 +10,7 @@ namespace emtr {
 
 /// The normalized frame: each cloud is centred on its own centroid, and both are divided by one
 /// scale, the larger of the two radii, so that all points lie in the unit ball.
-struct Frame {
+struct Normalization {
   double scale = 1;              ///< the user's unit
   double center_source[3] = {};  ///< the user's unit
   double center_target[3] = {};
@@ -22,7 +22,7 @@ struct Frame {
 
 /// Both clouds in that frame, and what they were made from.
 struct NormalizedPair {
-  Frame frame;
+  Normalization normalization;
   Cloud source, target;  ///< the base points; those of the larger cloud unchanged
   PreprocessedCloudPtr preprocessed_source, preprocessed_target;
 };

@@ -50,12 +50,12 @@ RotationLimits rotation_limits(const Settings& s, const Rigid& guess) {
 
 /// In the normalized frame. No pose in sight has its origin further away than that: larger numbers
 /// say nothing, and would blur the smaller ones.
-TranslationBox translation_box(const Settings& s, const Frame& frame) {
+TranslationBox translation_box(const Settings& s, const Normalization& normalization) {
   const auto corner = [&](const double* at) -> Vector3d {
-    return (Vector3d::Map(at) - Vector3d::Map(frame.center_target)) / frame.scale;
+    return (Vector3d::Map(at) - Vector3d::Map(normalization.center_target)) / normalization.scale;
   };
   TranslationBox box{corner(s.translation_minimum), corner(s.translation_maximum),
-                     Vector3d::Map(frame.center_source) / frame.scale};
+                     Vector3d::Map(normalization.center_source) / normalization.scale};
   const double sight = kFarthest + box.lever.norm();
   require(
       box.low.maxCoeff() <= sight && box.high.minCoeff() >= -sight,
@@ -66,10 +66,10 @@ TranslationBox translation_box(const Settings& s, const Frame& frame) {
   return box;
 }
 
-TranslationLimits translation_limits(const Settings& s, const Frame& frame, const Rigid& guess) {
+TranslationLimits translation_limits(const Settings& s, const Normalization& normalization, const Rigid& guess) {
   TranslationLimits out;
-  if (limits_translation(s)) out.ball = {guess.t, s.guess_translation / frame.scale};
-  if (s.has_translation_bounds) out.box = translation_box(s, frame);
+  if (limits_translation(s)) out.ball = {guess.t, s.guess_translation / normalization.scale};
+  if (s.has_translation_bounds) out.box = translation_box(s, normalization);
   return out;
 }
 
@@ -142,18 +142,18 @@ void validate_priors(const Settings& s) {
                 "xyz"[i] + " is the larger one");
 }
 
-Rigid normalized_guess(const Settings& settings, const Frame& frame) {
-  Rigid pose = frame.to_normalized(from_matrix(settings.guess));
+Rigid normalized_guess(const Settings& settings, const Normalization& normalization) {
+  Rigid pose = normalization.to_normalized(from_matrix(settings.guess));
   require(is_near(pose.t.data(), 3), "setting 'guess' moves the source a million radii past the target");
   // As people write matrices down, it is a rotation to three digits: the results are to all.
   pose.R = rotation_of(pose).toRotationMatrix();
   return pose;
 }
 
-PriorPtr make_prior(const Settings& s, const Frame& frame) {
-  const Rigid guess = s.has_guess ? normalized_guess(s, frame) : Rigid();
+PriorPtr make_prior(const Settings& s, const Normalization& normalization) {
+  const Rigid guess = s.has_guess ? normalized_guess(s, normalization) : Rigid();
   RotationLimits rotation = rotation_limits(s, guess);
-  const TranslationLimits translation = translation_limits(s, frame, guess);
+  const TranslationLimits translation = translation_limits(s, normalization, guess);
   if (!rotation.any() && !translation.any()) return nullptr;
   if (!rotation.simplify()) contradict(rotation_names(s), "rotation");
   bool turned = false;

@@ -15,12 +15,12 @@ Viewpoint normalized(const double at[3], const double center[3], double scale) {
 
 }  // namespace
 
-GivenViewpoints::GivenViewpoints(const Settings& s, const Frame& frame) {
+GivenViewpoints::GivenViewpoints(const Settings& s, const Normalization& normalization) {
   if (!s.free_space) return;
   if (s.has_viewpoint_source)
-    source = normalized(s.viewpoint_source, frame.center_source, frame.scale);
+    source = normalized(s.viewpoint_source, normalization.center_source, normalization.scale);
   if (s.has_viewpoint_target)
-    target = normalized(s.viewpoint_target, frame.center_target, frame.scale);
+    target = normalized(s.viewpoint_target, normalization.center_target, normalization.scale);
 }
 
 }  // namespace emtr

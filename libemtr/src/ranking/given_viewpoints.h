@@ -13,7 +13,7 @@ namespace emtr {
 struct GivenViewpoints {
   std::optional<Viewpoint> source, target;
 
-  GivenViewpoints(const Settings& settings, const Frame& frame);
+  GivenViewpoints(const Settings& settings, const Normalization& normalization);
   bool both() const { return source && target; }
 };
 

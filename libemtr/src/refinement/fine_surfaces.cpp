@@ -17,12 +17,12 @@ constexpr double kQueries = 5e4;  // look-ups of one polish, about
 FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, const Kernels& kernels) {
   FineSurfaces out;
   for (int attempt = 0;; ++attempt) {
-    const auto thin = [&](const Cloud& cloud, const PreprocessedCloudPtr& from) {
+    const auto downsample = [&](const Cloud& cloud, const PreprocessedCloudPtr& from) {
       const bool given = from && from->normals.size();  // a pair may be made of bare points
       return given ? downsample_surface(cloud, from->normals, leaf) : downsample_surface(cloud, leaf);
     };
-    out.source = thin(pair.source, pair.preprocessed_source);
-    out.target = thin(pair.target, pair.preprocessed_target);
+    out.source = downsample(pair.source, pair.preprocessed_source);
+    out.target = downsample(pair.target, pair.preprocessed_target);
     const auto filling = [](const Cloud& points, const Surface& surface) {
       return static_cast<double>(points.size()) / static_cast<double>(surface.points.size());
     };

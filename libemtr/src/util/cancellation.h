@@ -45,7 +45,7 @@ class CancellationToken {
   const Clock::duration every_;
   const Clock::time_point start_ = Clock::now();
   Clock::time_point asked_ = start_;
-  emtr_progress progress_ = {"frame", 0, 0, 0, 0};
+  emtr_progress progress_ = {"normalization", 0, 0, 0, 0};
   std::atomic<bool> stopped_{false};
   bool late_ = false;
 };

@@ -76,13 +76,13 @@ static void kept(void) {
   emtr_cloud source, target;
   emtr_preprocessed *a = NULL, *b = NULL, *first;
   emtr_result *plain = NULL, *result = NULL;
-  char frame[] = "frame";
+  char normalization[] = "normalization";
   if (bumpy_pair_make(&pair, 2, 3000, 1.0)) exit(1);
   source = cloud_of(pair.source, pair.count);
   target = cloud_of(pair.target, pair.count);
   CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &plain));
 
-  CHECK_OK(emtr_register_cached(&source, &a, &target, &b, NULL, stop, frame, &result));
+  CHECK_OK(emtr_register_cached(&source, &a, &target, &b, NULL, stop, normalization, &result));
   CHECK(result && result->reason == EMTR_REASON_INTERRUPTED && a == NULL && b == NULL);
   emtr_result_free(result);
   CHECK_OK(emtr_register_cached(&source, &a, &target, NULL, NULL, NULL, NULL, &result));
@@ -121,7 +121,7 @@ static void wrong_calls(void) {
   emtr_problem* problem = NULL;
   emtr_result* result = NULL;
   emtr_settings settings;
-  char stage[] = "frame";
+  char stage[] = "normalization";
   if (bumpy_pair_make(&pair, 3, 1000, 1.0)) exit(1);
   cloud = cloud_of(pair.source, pair.count);
   CHECK_OK(emtr_preprocess(&cloud, NULL, 0, &good));

@@ -47,7 +47,7 @@ static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r,
   CHECK(r->fitness > 0 && r->fitness < 1 && r->fitness_gap > 0);
   CHECK(r->inlier_ratio_source > 0.3 && r->inlier_ratio_source <= 1);
   CHECK(r->inlier_ratio_target > 0.3 && r->inlier_ratio_target <= 1);
-  CHECK(r->inlier_rmse > 0 && r->inlier_rmse < r->leaf_fine * r->scale);
+  CHECK(r->inlier_rmse > 0 && r->inlier_rmse < r->leaf_fine * r->normalization_scale);
   CHECK(r->inlier_rmse_plane > 0 && r->inlier_rmse_plane < r->inlier_rmse);
   CHECK(r->overlap_source > 0.5 && r->overlap_source <= 1);
   CHECK(r->overlap_target > 0.5 && r->overlap_target <= 1);
@@ -57,7 +57,7 @@ static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r,
   CHECK(r->sparse_target > 0 && r->sparse_target < r->dense_target);
   CHECK(r->correspondences > 10 && r->tims > r->correspondences && r->tims_pruned < r->tims);
   CHECK(r->queries_evaluation > 0 && r->queries_switch > 0 && r->queries_complement > 0);
-  CHECK(r->scale > 0.5 * pair->unit && r->scale < 2 * pair->unit);
+  CHECK(r->normalization_scale > 0.5 * pair->unit && r->normalization_scale < 2 * pair->unit);
   CHECK(r->leaf_sparse > r->leaf_dense && r->leaf_dense > 0);
   CHECK(r->seconds_total > 0 && r->seconds_evolution <= r->seconds_total);
   CHECK(r->iterations == (size_t)settings->iterations && r->seed == 0 && r->threads >= 1);
@@ -73,7 +73,7 @@ static void by_the_default_preset(const bumpy_pair* pair, const emtr_result* r) 
   int k, j;
   the_result_is_whole(pair, r, &settings);
   CHECK(r->confidence > 0.9 && r->confidence <= 1);
-  CHECK(r->fit > 0 && r->fit <= 1 && r->score <= r->fit && r->violation >= 0);
+  CHECK(r->surface_fit > 0 && r->surface_fit <= 1 && r->score <= r->surface_fit && r->violation >= 0);
   CHECK(r->seeds > 0 && r->candidates > 0 && r->seconds_candidates > 0);
   for (i = 0; i < r->alternative_count; ++i) {
     CHECK(r->alternatives[i].score <= r->score);
@@ -87,9 +87,9 @@ static void by_the_default_preset(const bumpy_pair* pair, const emtr_result* r) 
       const double a = r->information[6 * k + j], b = r->information[6 * j + k];
       CHECK(fabs(a - b) <= 1e-9 * fabs(a));
     }
-    CHECK(k == 0 || r->hold[k] >= r->hold[k - 1]);
+    CHECK(k == 0 || r->hessian_eigenvalues[k] >= r->hessian_eigenvalues[k - 1]);
   }
-  CHECK(r->hold[0] > 0 && r->hold[5] < 2);
+  CHECK(r->hessian_eigenvalues[0] > 0 && r->hessian_eigenvalues[5] < 2);
   /* nearer than the search alone comes */
   CHECK(bumpy_pair_error(pair, r->transformation) < 0.01);
 }
@@ -99,7 +99,7 @@ static void by_the_paper(const bumpy_pair* pair) {
   emtr_result* r = run(pair, &settings, NULL, NULL);
   int k;
   the_result_is_whole(pair, r, &settings);
-  CHECK(isnan(r->confidence) && isnan(r->score) && isnan(r->fit) && isnan(r->violation));
+  CHECK(isnan(r->confidence) && isnan(r->score) && isnan(r->surface_fit) && isnan(r->violation));
   CHECK(isnan(r->score_gap) && r->seeds == 0 && r->candidates == 0 && r->alternative_count == 0);
   CHECK(!r->used_fallback_search && !r->refined && r->unconstrained_directions == -1);
   CHECK(r->seconds_seeds == 0 && r->seconds_candidates == 0 && r->seconds_refinement == 0);
@@ -109,7 +109,7 @@ static void by_the_paper(const bumpy_pair* pair) {
 
 /* Far out on the side that each scan is of: the target's frame is the ball's own. */
 static void viewpoints(const bumpy_pair* pair) {
-  emtr_settings settings = preset("thorough"); /* they are asked for in the escalation */
+  emtr_settings settings = preset("thorough"); /* they are asked for in the fallback search */
   const double toward[3] = {0.35, 0.0, 0.94};
   double source[3];
   emtr_result *unknown, *known;
@@ -208,7 +208,7 @@ static void progress_and_stop(const bumpy_pair* pair, const emtr_result* whole) 
 
   settings = preset("thorough");
   result = run(pair, &settings, on_progress, &thorough);
-  CHECK(result->used_fallback_search && strstr(thorough.stages, "candidates escalation refinement "));
+  CHECK(result->used_fallback_search && strstr(thorough.stages, "candidates fallback_search refinement "));
   emtr_result_free(result);
 
   settings = preset("paper");
@@ -294,7 +294,7 @@ static void residuals(const bumpy_pair* pair, const emtr_result* result) {
   size_t i, near = 0;
   if (!here || !back) exit(1);
   CHECK_OK(emtr_residuals(&source, &target, result->transformation, 2, here, back));
-  for (i = 0; i < pair->count; ++i) near += here[i] < result->leaf_fine * result->scale;
+  for (i = 0; i < pair->count; ++i) near += here[i] < result->leaf_fine * result->normalization_scale;
   CHECK(fabs((double)near / (double)pair->count - result->overlap_source) < 0.06);
   CHECK_OK(emtr_residuals(&source, &source, NULL, 0, here, NULL));
   for (i = 0; i < pair->count; ++i) CHECK(here[i] == 0);

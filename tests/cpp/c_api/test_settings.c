@@ -36,7 +36,7 @@ static void presets(void) {
   /* the method as published has neither seeds before the swarm nor anything after it */
   CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, "paper"));
   CHECK(by_name.population == 50 && by_name.iterations == 100 && by_name.features == 0);
-  CHECK(!by_name.seeds && !by_name.candidates && !by_name.escalation && !by_name.refine);
+  CHECK(!by_name.seeds && !by_name.candidates && !by_name.fallback_search && !by_name.refine);
 
   CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, "default"));
   CHECK_OK(emtr_settings_init(&by_null, sizeof by_null, NULL));

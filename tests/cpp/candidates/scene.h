@@ -26,7 +26,7 @@ struct Scene {
       : pair(seed, points, unit), normalized(emtr::normalize(pair.source(), pair.target(), 1)) {
     settings.dense_points = 3000;
     settings.threads = 1;
-    const emtr::DownsampledClouds d = emtr::thin(normalized, settings);
+    const emtr::DownsampledClouds d = emtr::downsample(normalized, settings);
     emtr::FeatureDefinition definition;
     definition.normal_radius = settings.normal_radius * d.leaf_dense;
     definition.feature_radius = settings.feature_radius * d.leaf_dense;
@@ -37,7 +37,7 @@ struct Scene {
     };
     source = described(d.source_dense);
     target = described(d.target_dense);
-    truth = normalized.frame.to_normalized(emtr::from_matrix(pair.pose()));
+    truth = normalized.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   }
 
   /// Where the sensors could have stood: on the axes of the scans, in each cloud's own frame and

@@ -28,7 +28,7 @@ class Search : public testing::Test {
     scene.settings.has_viewpoint_source = scene.settings.has_viewpoint_target = 1;
     const auto source = scene.sensor_source(), target = scene.sensor_target();
     for (std::size_t a = 0; a < 3; ++a) {
-      const double center = scene.normalized.frame.center_target[a];
+      const double center = scene.normalized.normalization.center_target[a];
       scene.settings.viewpoint_source[a] = source[a];
       scene.settings.viewpoint_target[a] = center + sign_of_target * (target[a] - center);
     }
@@ -40,7 +40,7 @@ class Search : public testing::Test {
     out.add(anywhere(3, 2), {});
     EXPECT_FALSE(out.used_fallback_search());
     EXPECT_FALSE(scene.solved(out.ranked().front().pose));
-    out.escalate();
+    out.run_fallback_search();
     EXPECT_TRUE(out.used_fallback_search());
     return out;
   }
@@ -89,13 +89,13 @@ TEST_F(Search, EscalationUsesTheSensorsThatAreGiven) {
   // Seen from where they are in the normalized frame.
   const auto at = [&](const emtr::Surface& surface, const double* user, const double* center) {
     emtr::Viewpoint v;
-    for (int a = 0; a < 3; ++a) v.at[a] = (user[a] - center[a]) / scene.normalized.frame.scale;
+    for (int a = 0; a < 3; ++a) v.at[a] = (user[a] - center[a]) / scene.normalized.normalization.scale;
     return emtr::given_viewpoint(surface, v, emtr::select_kernels());
   };
-  const emtr::Frame& frame = scene.normalized.frame;
+  const emtr::Normalization& normalization = scene.normalized.normalization;
   const emtr::SurfacePair seen(scene.source, scene.target,
-                            at(scene.source, scene.settings.viewpoint_source, frame.center_source),
-                            at(scene.target, scene.settings.viewpoint_target, frame.center_target),
+                            at(scene.source, scene.settings.viewpoint_source, normalization.center_source),
+                            at(scene.target, scene.settings.viewpoint_target, normalization.center_target),
                             emtr::select_kernels());
   emtr::Ranking::Scratch scratch;
   for (const emtr::Candidate& c : found.ranked()) {
@@ -111,7 +111,7 @@ TEST_F(Search, AWrongSensorCostsTheTruthItsScore) {
   CandidateSearch wrong = search();
   wrong.add({scene.truth}, {});
   EXPECT_TRUE(scene.solved(wrong.ranked().front().pose));
-  wrong.escalate();
+  wrong.run_fallback_search();
   for (const emtr::Candidate& c : wrong.ranked()) {
     if (scene.solved(c.pose)) {
       EXPECT_LT(c.score, unknown - 0.2);
@@ -136,7 +136,7 @@ TEST_F(Search, EscalationKeepsTheCandidatesOfBefore) {
   CandidateSearch kept = search();
   kept.add({scene.off({1, 0, 0}, {0, 0, 0})}, anywhere(5, 6));
   const auto before = kept.ranked();
-  kept.escalate();
+  kept.run_fallback_search();
   EXPECT_TRUE(scene.solved(kept.ranked().front().pose));
   EXPECT_GE(kept.ranked().size() + 1, before.size());  // a polish may bring two together
 }

@@ -68,11 +68,11 @@ TEST_F(CandidateSet, AShortlistIsOrderedByTheQuickFitAndHasNoCopies) {
 TEST_F(CandidateSet, AShortlistKnowsFreeSpace) {
   // Shifted against the target's sensor the source stands where that looked through.
   const emtr_test::Vector at = scene().sensor_target();
-  const emtr::Frame& frame = scene().normalized.frame;
+  const emtr::Normalization& normalization = scene().normalized.normalization;
   emtr::Viewpoint sensor;
   double length = 0;
   for (std::size_t a = 0; a < 3; ++a) {
-    sensor.at[a] = (at[a] - frame.center_target[a]) / frame.scale;
+    sensor.at[a] = (at[a] - normalization.center_target[a]) / normalization.scale;
     length += sensor.at[a] * sensor.at[a];
   }
   Eigen::Vector3d toward(sensor.at[0], sensor.at[1], sensor.at[2]);

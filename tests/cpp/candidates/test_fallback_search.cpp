@@ -9,19 +9,19 @@ using emtr::Rigid;
 using emtr::Viewpoints;
 using emtr_test::same_bits;
 
-class Escalation : public testing::Test {
+class FallbackSearch : public testing::Test {
  protected:
-  Escalation() {
+  FallbackSearch() {
     scene.settings.fallback_points = 4000;
     scene.settings.fallback_correspondences = 800;
     scene.settings.fallback_seeds = 40;
   }
 
   Viewpoints source(double sign = 1) const {
-    return at(scene.sensor_source(), scene.normalized.frame.center_source, sign);
+    return at(scene.sensor_source(), scene.normalized.normalization.center_source, sign);
   }
   Viewpoints target(double sign = 1) const {
-    return at(scene.sensor_target(), scene.normalized.frame.center_target, sign);
+    return at(scene.sensor_target(), scene.normalized.normalization.center_target, sign);
   }
 
   /// The same place first, but only held to be likely.
@@ -51,24 +51,24 @@ class Escalation : public testing::Test {
   Viewpoints at(const emtr_test::Vector& sensor, const double* center, double sign) const {
     emtr::Viewpoint v;
     for (std::size_t a = 0; a < 3; ++a)
-      v.at[a] = sign * (sensor[a] - center[a]) / scene.normalized.frame.scale;
+      v.at[a] = sign * (sensor[a] - center[a]) / scene.normalized.normalization.scale;
     return {{v}, 1};
   }
 };
 
-TEST_F(Escalation, FindsTheTruthFromGivenSensors) {
+TEST_F(FallbackSearch, FindsTheTruthFromGivenSensors) {
   const auto found = seeds(source(), target());
   EXPECT_LT(first_right(found), found.size());
   EXPECT_LE(found.size(), 40u);  // one sign
 }
 
-TEST_F(Escalation, FindsTheTruthWithNothingKnown) {
+TEST_F(FallbackSearch, FindsTheTruthWithNothingKnown) {
   const auto found = seeds({}, {});
   EXPECT_LT(first_right(found), found.size());
   EXPECT_LE(found.size(), 80u);  // two signs
 }
 
-TEST_F(Escalation, TriesTheOtherSignUnlessBothSensorsAreGiven) {
+TEST_F(FallbackSearch, TriesTheOtherSignUnlessBothSensorsAreGiven) {
   const auto given = seeds(source(), target());
   for (const auto& [a, b] :
        {std::pair(guessed(source()), target()), std::pair(source(), guessed(target())),
@@ -80,7 +80,7 @@ TEST_F(Escalation, TriesTheOtherSignUnlessBothSensorsAreGiven) {
   }
 }
 
-TEST_F(Escalation, TheOtherSignMendsAWrongGuess) {
+TEST_F(FallbackSearch, TheOtherSignMendsAWrongGuess) {
   const auto wrong = seeds(source(), target(-1));  // its normals point inwards
   EXPECT_EQ(first_right(wrong), wrong.size());
   const auto found = seeds(source(), guessed(target(-1)));
@@ -90,13 +90,13 @@ TEST_F(Escalation, TheOtherSignMendsAWrongGuess) {
   EXPECT_LT(first_right(both_wrong), 3u);  // one rule for both clouds, whichever
 }
 
-TEST_F(Escalation, GivesAtMostSoManySeeds) {
+TEST_F(FallbackSearch, GivesAtMostSoManySeeds) {
   scene.settings.fallback_seeds = 5;
   EXPECT_LE(seeds(source(), target()).size(), 5u);
   EXPECT_LE(seeds({}, {}).size(), 10u);
 }
 
-TEST_F(Escalation, IsTheSameBitsForAnyThreadsAndKernels) {
+TEST_F(FallbackSearch, IsTheSameBitsForAnyThreadsAndKernels) {
   const auto one = seeds({}, {}, 1);
   const auto expect_same = [&](const std::vector<Rigid>& other, const char* what) {
     ASSERT_EQ(one.size(), other.size()) << what;

@@ -64,16 +64,16 @@ TEST(SurfacePair, GivenViewpointsMakeTheSidesCount) {
   const auto at = [&](const emtr_test::Vector& sensor, const double* center, double sign) {
     emtr::Viewpoint v;
     for (std::size_t a = 0; a < 3; ++a)
-      v.at[a] = sign * (sensor[a] - center[a]) / scene().normalized.frame.scale;
+      v.at[a] = sign * (sensor[a] - center[a]) / scene().normalized.normalization.scale;
     return v;
   };
-  const emtr::Frame& frame = scene().normalized.frame;
+  const emtr::Normalization& normalization = scene().normalized.normalization;
   const auto& kernels = emtr::select_kernels();
   const auto from_source = emtr::given_viewpoint(
-      scene().source, at(scene().sensor_source(), frame.center_source, 1), kernels);
+      scene().source, at(scene().sensor_source(), normalization.center_source, 1), kernels);
   const auto score = [&](double sign) {
     const auto from_target = emtr::given_viewpoint(
-        scene().target, at(scene().sensor_target(), frame.center_target, sign), kernels);
+        scene().target, at(scene().sensor_target(), normalization.center_target, sign), kernels);
     const SurfacePair both(scene().source, scene().target, from_source, from_target, kernels);
     emtr::Ranking::Scratch scratch;
     const auto value = both.ranking().evaluate(scene().truth, scratch);

@@ -122,7 +122,7 @@ TEST_F(Engine, AGuessIsOneHypothesis) {
   settings.iterations = 1;
   emtr::Rigid truth;
   const emtr_test::Pair pair(11, 5000);
-  truth = problem.frame.to_normalized(emtr::from_matrix(pair.pose()));
+  truth = problem.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   const Evolution e = emtr::evolve(
       *problem.alpha, *problem.beta, *problem.complement, settings, {{truth}, {}},
       [](int, double, double) { return false; }, nullptr);
@@ -135,7 +135,7 @@ class EngineSteps : public Engine {
   EngineSteps() {
     settings.iterations = 40;
     const emtr_test::Pair pair(11, 5000);
-    truth = problem.frame.to_normalized(emtr::from_matrix(pair.pose()));
+    truth = problem.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   }
   Evolution started(const emtr::Starts& starts) const {
     return emtr::evolve(
@@ -240,7 +240,7 @@ TEST_F(EngineSteps, KeepToAPrior) {
         known.translation_maximum[a] = 0.3;
       }
     }
-    const auto prior = emtr::make_prior(known, problem.frame);
+    const auto prior = emtr::make_prior(known, problem.normalization);
     ASSERT_TRUE(prior);
     const Evolution e = emtr::evolve(
         *problem.alpha, *problem.beta, *problem.complement, known, {},

@@ -29,11 +29,11 @@ TEST(SearchSpace, AnUprightAxisLeavesFourGenes) {
   emtr::Settings s = emtr::preset("default");
   s.has_axis = 1;
   s.axis[2] = 1;
-  const auto yaw = emtr::make_prior(s, emtr::Frame());
+  const auto yaw = emtr::make_prior(s, emtr::Normalization());
   EXPECT_EQ(SearchSpace(1.2, yaw.get()).pose_genes().size(), 4u);
   EXPECT_FALSE(SearchSpace(1.2, yaw.get()).rotation_genes()[0].wall);
   s.axis_tilt = 3;
-  const auto leaning = emtr::make_prior(s, emtr::Frame());
+  const auto leaning = emtr::make_prior(s, emtr::Normalization());
   EXPECT_EQ(SearchSpace(1.2, leaning.get()).pose_genes().size(), 6u);
 }
 
@@ -42,9 +42,9 @@ TEST(SearchSpace, GenesDecodeToAdmissiblePosesAndReachAllOfThem) {
   Draw d(2);
   for (int which = 1; which < kAll; ++which)
     for (int k = 0; k < 20; ++k) {
-      const emtr::Frame frame = any_frame(d, k % 2 ? 2 : 0);
+      const emtr::Normalization normalization = any_frame(d, k % 2 ? 2 : 0);
       const Rigid inside = any_pose(d);
-      const auto prior = emtr::make_prior(limits_around(inside, frame, which, d), frame);
+      const auto prior = emtr::make_prior(limits_around(inside, normalization, which, d), normalization);
       const SearchSpace space(bound, prior.get());
       const auto genes = space.pose_genes();
       for (int j = 0; j < 20; ++j) {
@@ -90,8 +90,8 @@ TEST(SearchSpace, AnArcIsTheShortestAndHasItsShare) {
   tilted.axis[1] = 1;
   tilted.axis_tilt = 40;
   near.maximum_rotation = 80;
-  const auto leaning = emtr::make_prior(tilted, emtr::Frame());
-  const auto ball = emtr::make_prior(near, emtr::Frame());
+  const auto leaning = emtr::make_prior(tilted, emtr::Normalization());
+  const auto ball = emtr::make_prior(near, emtr::Normalization());
   for (const emtr::Prior* prior :
        {static_cast<const emtr::Prior*>(nullptr), leaning.get(), ball.get()}) {
     const SearchSpace space(1.2, prior);

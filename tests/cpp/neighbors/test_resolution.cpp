@@ -32,7 +32,7 @@ TEST(Spacing, IsTheMeanDistanceToTheNearestOtherPlace) {
 TEST(Resolution, IsTheSameBitsOnTheGridAndInTheTree) {
   const emtr_test::Pair pair(4);
   const emtr::DownsampledClouds d =
-      emtr::thin(emtr::normalize(pair.source(), pair.target(), 1), emtr::preset("paper"));
+      emtr::downsample(emtr::normalize(pair.source(), pair.target(), 1), emtr::preset("paper"));
   emtr::Cloud twins = emtr_test::uniform_cloud(400, 2);
   for (std::size_t i = 0; i < 100; ++i) emtr_test::push(twins, twins.x[i], twins.y[i], twins.z[i]);
   emtr::Cloud far = emtr_test::uniform_cloud(300, 3, 0.01f);

@@ -12,7 +12,7 @@ class Viewpoints : public testing::Test {
  protected:
   void SetUp() override {
     reg.setNumberOfThreads(2);
-    ASSERT_TRUE(reg.setPreset("thorough"));  // they are asked for in the escalation
+    ASSERT_TRUE(reg.setPreset("thorough"));  // they are asked for in the fallback search
     reg.setInputSource(source);
     reg.setInputTarget(target);
     // Far out on the side that each scan is of: the target's frame is the ball's own.

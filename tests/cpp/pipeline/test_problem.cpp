@@ -50,7 +50,7 @@ TEST(Problem, AllNeighborStructuresGiveTheSameBits) {
 TEST(Problem, CanBeStoppedBeforeEveryStage) {
   const emtr_test::Pair pair(6, 3000);
   for (const std::string stop :
-       {"frame", "densities", "features", "matching", "evolution", "verdict"}) {
+       {"normalization", "downsampling", "features", "matching", "evolution", "verdict"}) {
     const auto at = [&](const emtr_progress& p) { return stop == p.stage; };
     const emtr::Problem problem(pair.source(), pair.target(), emtr::preset("paper"), at);
     EXPECT_EQ(problem.stopped(), stop != "evolution" && stop != "verdict");
@@ -134,7 +134,7 @@ TEST(Problem, KeepsWhatEveryStageMade) {
     EXPECT_LT(static_cast<std::size_t>(c.target), p.downsampled.target_dense.size());
   }
   ASSERT_FALSE(p.seeds.empty());
-  const emtr::Rigid truth = p.frame.to_normalized(emtr::from_matrix(pair.pose()));
+  const emtr::Rigid truth = p.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   EXPECT_LT(emtr::rotation_distance(p.seeds.front().pose.R, truth.R), 0.1);
   EXPECT_GT(p.tau, 0);
   ASSERT_TRUE(p.surfaces);

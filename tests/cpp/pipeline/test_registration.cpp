@@ -59,7 +59,7 @@ TEST_P(OfPreset, RegistersAPairAndFillsTheResult) {
     EXPECT_LE(ratio, 1);
   }
   EXPECT_GT(r->inlier_rmse, 0);
-  EXPECT_LT(r->inlier_rmse, r->leaf_fine * r->scale);
+  EXPECT_LT(r->inlier_rmse, r->leaf_fine * r->normalization_scale);
   EXPECT_GT(r->inlier_rmse_plane, 0);
   EXPECT_LT(r->inlier_rmse_plane, r->inlier_rmse);
   EXPECT_GT(r->overlap_source, 0.5);
@@ -77,7 +77,7 @@ TEST_P(OfPreset, RegistersAPairAndFillsTheResult) {
   EXPECT_GT(r->queries_evaluation, 0u);
   EXPECT_GT(r->queries_switch, 0u);
   EXPECT_GT(r->queries_complement, 0u);
-  EXPECT_NEAR(r->scale / pair.unit(), 1, 0.5);
+  EXPECT_NEAR(r->normalization_scale / pair.unit(), 1, 0.5);
   EXPECT_GT(r->leaf_sparse, r->leaf_dense);
   EXPECT_GT(r->leaf_dense, 0);
   EXPECT_EQ(r->iterations, static_cast<std::size_t>(settings.iterations));
@@ -96,13 +96,13 @@ TEST_P(OfPreset, FillsWhatItsStagesMake) {
   EXPECT_LE(r->seeds, static_cast<std::size_t>(settings.seeds));
   const bool ranked = settings.candidates > 0;
   EXPECT_EQ(r->candidates > 0, ranked);
-  for (const double v : {r->confidence, r->score, r->fit, r->violation, r->score_gap})
+  for (const double v : {r->confidence, r->score, r->surface_fit, r->violation, r->score_gap})
     EXPECT_EQ(std::isfinite(v), ranked);
   if (ranked) {
     EXPECT_GE(r->confidence, settings.minimum_confidence);
     EXPECT_LE(r->confidence, 1);
     EXPECT_LE(r->score, 1);
-    EXPECT_GE(r->fit, r->score);
+    EXPECT_GE(r->surface_fit, r->score);
     EXPECT_GE(r->violation, 0);
     EXPECT_GT(r->score_gap, 0);
     EXPECT_LE(r->score_gap, r->score);
@@ -113,10 +113,10 @@ TEST_P(OfPreset, FillsWhatItsStagesMake) {
     EXPECT_LE(r->alternatives[i].score, i ? r->alternatives[i - 1].score : r->score);
     EXPECT_GT(pair.error(r->alternatives[i].transformation), 0.05);
   }
-  EXPECT_EQ(r->used_fallback_search, settings.escalation == 2);  // the pair is an easy one
+  EXPECT_EQ(r->used_fallback_search, settings.fallback_search == 2);  // the pair is an easy one
   EXPECT_EQ(r->refined, settings.refine);
   for (int i = 0; i < 6; ++i) {
-    EXPECT_EQ(std::isfinite(r->hold[i]), settings.refine != 0);
+    EXPECT_EQ(std::isfinite(r->hessian_eigenvalues[i]), settings.refine != 0);
     EXPECT_EQ(std::isfinite(r->information[7 * i]), settings.refine != 0);
     EXPECT_EQ(std::isfinite(r->hessian_eigenvectors[7 * i]), settings.refine != 0);
   }
@@ -149,11 +149,11 @@ void expect_same(const emtr::Result& a, const emtr::Result& b, const std::string
   // In the order of the stages: the first that fails says where it begins.
   EXPECT_TRUE(same(a.scale, b.scale) && same(a.center_source, b.center_source) &&
               same(a.center_target, b.center_target))
-      << "frame";
+      << "normalization";
   EXPECT_TRUE(same(a.leaf_sparse, b.leaf_sparse) && same(a.leaf_dense, b.leaf_dense) &&
               a.sparse_source == b.sparse_source && a.sparse_target == b.sparse_target &&
               a.dense_source == b.dense_source && a.dense_target == b.dense_target)
-      << "densities";
+      << "downsampling";
   EXPECT_TRUE(a.correspondences == b.correspondences && a.tims == b.tims &&
               a.tims_pruned == b.tims_pruned)
       << "matching";
@@ -170,7 +170,7 @@ void expect_same(const emtr::Result& a, const emtr::Result& b, const std::string
   for (std::size_t i = 0; i < a.others.size(); ++i)
     EXPECT_TRUE(same(a.others[i], b.others[i])) << "alternative " << i;
   EXPECT_TRUE(a.refined == b.refined && same(a.information, b.information) &&
-              same(a.hold, b.hold) && same(a.hessian_eigenvectors, b.hessian_eigenvectors) &&
+              same(a.hessian_eigenvalues, b.hessian_eigenvalues) && same(a.hessian_eigenvectors, b.hessian_eigenvectors) &&
               a.unconstrained_directions == b.unconstrained_directions)
       << "refinement";
   EXPECT_TRUE(same(a.transformation, b.transformation)) << "answer";
@@ -350,7 +350,7 @@ void expect_interrupted(const emtr::Result& r) {
 
 TEST(Registration, StoppedWhileTheProblemIsMadeThereIsNoPose) {
   const Pair pair(67, 2000);
-  for (const char* stage : {"frame", "densities", "features", "matching", "seeds"}) {
+  for (const char* stage : {"normalization", "downsampling", "features", "matching", "seeds"}) {
     SCOPED_TRACE(stage);
     const emtr::OnProgress progress = stop_at(stage);
     const Problem problem(pair.source(), pair.target(), preset("default"), progress);
@@ -388,15 +388,15 @@ TEST(Registration, StoppedLaterTheBestPoseSoFarIsGiven) {
     EXPECT_TRUE(std::isnan(r->confidence));
   }
 
-  const ResultPtr escalation = stopped("escalation");
-  EXPECT_GT(escalation->candidates, 0u);
-  EXPECT_FALSE(escalation->used_fallback_search);
+  const ResultPtr fallback_search = stopped("fallback_search");
+  EXPECT_GT(fallback_search->candidates, 0u);
+  EXPECT_FALSE(fallback_search->used_fallback_search);
   const ResultPtr refinement = stopped("refinement");
   EXPECT_TRUE(refinement->used_fallback_search);
   EXPECT_FALSE(refinement->refined);
   const ResultPtr verdict = stopped("verdict");
   EXPECT_TRUE(verdict->refined);
-  for (const emtr::Result* r : {escalation.get(), refinement.get(), verdict.get()}) {
+  for (const emtr::Result* r : {fallback_search.get(), refinement.get(), verdict.get()}) {
     EXPECT_LT(pair.error(r->transformation), 0.05);
     EXPECT_GT(r->confidence, 0.5);
   }
@@ -420,7 +420,7 @@ TEST(Registration, TellsEveryStageInItsOrder) {
   EXPECT_FALSE(problem.stopped());
   problem.solve(progress);
   EXPECT_EQ(stages,
-            "frame densities features matching seeds evolution candidates escalation refinement "
+            "frame densities features matching seeds evolution candidates fallback_search refinement "
             "verdict ");
   EXPECT_EQ(iterations, settings.iterations);
 }

@@ -236,7 +236,7 @@ TEST(Handed, PointsWithoutANormalStayWithout) {
   source.normals = pair.source_normals.data();
   target.normals = pair.target_normals.data();
   const emtr::Problem problem(source, target, emtr::preset("default"), nullptr);
-  const double scale = problem.frame.scale, center = problem.frame.center_target[0];
+  const double scale = problem.normalization.scale, center = problem.normalization.center_target[0];
   std::size_t without = 0;
   for (std::size_t i = 0; i < problem.downsampled.target_dense.size(); ++i) {
     const double x = problem.downsampled.target_dense.x[i] * scale + center;

@@ -19,7 +19,7 @@ emtr::DownsampledClouds thinned(std::size_t points, const char* setting = "seed"
   const emtr_test::Pair pair(1, points);
   emtr::Settings settings = emtr::preset("paper");
   emtr::set(settings, setting, value);
-  return emtr::thin(emtr::normalize(pair.source(), pair.target(), 1), settings);
+  return emtr::downsample(emtr::normalize(pair.source(), pair.target(), 1), settings);
 }
 
 TEST(DownsampledClouds, MeetTheCountsWhateverTheSizeOfTheInput) {
@@ -40,7 +40,7 @@ TEST(DownsampledClouds, FollowTheSettings) {
 TEST(DownsampledClouds, KeepTheLeafAboveTheSpacingOfSmallClouds) {
   const emtr_test::Pair pair(2, 1024);
   const auto normalized = emtr::normalize(pair.source(), pair.target(), 1);
-  const auto d = emtr::thin(normalized, emtr::preset("paper"));
+  const auto d = emtr::downsample(normalized, emtr::preset("paper"));
   const double spacing =
       std::max(emtr::mean_resolution(normalized.source), emtr::mean_resolution(normalized.target));
   EXPECT_GE(d.leaf_dense, 1.49 * spacing);
@@ -51,7 +51,7 @@ TEST(DownsampledClouds, KeepTheLeafAboveTheSpacingOfSmallClouds) {
 TEST(DownsampledClouds, NameACloudThatVanishesBesideTheOther) {
   const emtr_test::Pair small(3, 2000, 1e-4), large(3, 2000, 1);
   try {
-    emtr::thin(emtr::normalize(small.source(), large.target(), 1), emtr::preset("paper"));
+    emtr::downsample(emtr::normalize(small.source(), large.target(), 1), emtr::preset("paper"));
     FAIL() << "no error";
   } catch (const emtr::Error& error) {
     EXPECT_EQ(error.status(), EMTR_ERROR_CLOUD);

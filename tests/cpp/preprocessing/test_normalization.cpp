@@ -37,7 +37,7 @@ emtr::Error error_of(const Points& source, const Points& target) {
   return {EMTR_OK, "no error"};
 }
 
-TEST(Frame, CentresBothAndScalesByTheLargerRadius) {
+TEST(Normalization, CentresBothAndScalesByTheLargerRadius) {
   const auto pair =
       emtr::normalize(view(ellipsoid(3, {1, 2, 3})), view(ellipsoid(5, {0, 0, 9})), 1);
   double largest = 0, mean = 0;
@@ -48,10 +48,10 @@ TEST(Frame, CentresBothAndScalesByTheLargerRadius) {
   }
   EXPECT_NEAR(largest, 1, 1e-6);
   EXPECT_NEAR(mean, 0, 1e-4);
-  EXPECT_NEAR(pair.frame.scale, 5, 0.05);
+  EXPECT_NEAR(pair.normalization.scale, 5, 0.05);
 }
 
-TEST(Frame, KeepsItsDigitsFarFromTheOriginAndInEveryUnit) {
+TEST(Normalization, KeepsItsDigitsFarFromTheOriginAndInEveryUnit) {
   const auto near =
       emtr::normalize(view(ellipsoid(1, {0, 0, 0})), view(ellipsoid(1, {0, 0, 0})), 1);
   for (const double unit : {1e-3, 1.0, 1e3}) {
@@ -62,26 +62,26 @@ TEST(Frame, KeepsItsDigitsFarFromTheOriginAndInEveryUnit) {
   }
 }
 
-TEST(Frame, ConvertsPosesThereAndBack) {
-  emtr::Frame frame;
-  frame.scale = 7;
-  frame.center_source[0] = 100;
-  frame.center_target[2] = -30;
+TEST(Normalization, ConvertsPosesThereAndBack) {
+  emtr::Normalization normalization;
+  normalization.scale = 7;
+  normalization.center_source[0] = 100;
+  normalization.center_target[2] = -30;
   emtr::Rigid pose;
   pose.R[0] = pose.R[4] = 0;
   pose.R[1] = -1;
   pose.R[3] = 1;
   pose.t[1] = 0.25;
-  const emtr::Rigid user = frame.to_user(pose);
+  const emtr::Rigid user = normalization.to_user(pose);
   // A quarter turn takes the source's centroid (100, 0, 0) to (0, 100, 0).
   EXPECT_DOUBLE_EQ(user.t[0], 0);
   EXPECT_DOUBLE_EQ(user.t[1], 7 * 0.25 - 100);
   EXPECT_DOUBLE_EQ(user.t[2], -30);
-  const emtr::Rigid back = frame.to_normalized(user);
+  const emtr::Rigid back = normalization.to_normalized(user);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(back.t[i], pose.t[i], 1e-14);
 }
 
-TEST(Frame, DropsAndCountsWhatIsNotFinite) {
+TEST(Normalization, DropsAndCountsWhatIsNotFinite) {
   Points source = ellipsoid(1, {0, 0, 0});
   const Points target = source;
   source[3].x() = std::numeric_limits<double>::quiet_NaN();
@@ -92,7 +92,7 @@ TEST(Frame, DropsAndCountsWhatIsNotFinite) {
   EXPECT_EQ(pair.source.size(), 198u);
 }
 
-TEST(Frame, ReadsFloatsAtAnyStrideAndAlignment) {
+TEST(Normalization, ReadsFloatsAtAnyStrideAndAlignment) {
   const Points points = ellipsoid(1, {0, 0, 0});
   std::vector<char> bytes(points.size() * 29 + 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -105,7 +105,7 @@ TEST(Frame, ReadsFloatsAtAnyStrideAndAlignment) {
     EXPECT_NEAR(pair.source.y[i], pair.target.y[i], 1e-6);
 }
 
-TEST(Frame, NamesTheCloudThatCannotBeRegistered) {
+TEST(Normalization, NamesTheCloudThatCannotBeRegistered) {
   const Points good = ellipsoid(1, {0, 0, 0});
   const Points few(good.begin(), good.begin() + 9);
   const Points equal(50, Eigen::Vector3d(3, 4, 5));
@@ -126,7 +126,7 @@ TEST(Frame, NamesTheCloudThatCannotBeRegistered) {
   expect(error_of(huge, good), "source cloud", "too large");
 }
 
-TEST(Frame, RefusesViewsThatCannotBeRead) {
+TEST(Normalization, RefusesViewsThatCannotBeRead) {
   const Points good = ellipsoid(1, {0, 0, 0});
   const auto status = [&](emtr_cloud bad) {
     try {

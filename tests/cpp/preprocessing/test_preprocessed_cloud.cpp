@@ -117,7 +117,7 @@ TEST(PreprocessedCloud, LeavesTheLargerOfAPairAsItIs) {
   const auto source = std::make_shared<emtr::PreprocessedCloud>(small.source(), "source", 1);
   const auto target = std::make_shared<emtr::PreprocessedCloud>(large.target(), "target", 1);
   const emtr::NormalizedPair pair = emtr::normalize(source, target);
-  EXPECT_EQ(pair.frame.scale, target->radius);
+  EXPECT_EQ(pair.normalization.scale, target->radius);
   EXPECT_EQ(pair.target.x, target->base.x);
   const double factor = source->radius / target->radius;
   EXPECT_LT(factor, 0.3);

@@ -17,21 +17,21 @@ inline emtr::Rigid any_pose(Draw& d, double reach = 1) {
   return out;
 }
 
-inline emtr::Frame any_frame(Draw& d, double lever) {
-  emtr::Frame frame;
-  frame.scale = std::exp(d.uniform(-3, 3));
+inline emtr::Normalization any_frame(Draw& d, double lever) {
+  emtr::Normalization normalization;
+  normalization.scale = std::exp(d.uniform(-3, 3));
   for (int i = 0; i < 3; ++i) {
-    frame.center_source[i] = frame.scale * d.uniform(-lever, lever);
-    frame.center_target[i] = frame.scale * d.uniform(-lever, lever);
+    normalization.center_source[i] = normalization.scale * d.uniform(-lever, lever);
+    normalization.center_target[i] = normalization.scale * d.uniform(-lever, lever);
   }
-  return frame;
+  return normalization;
 }
 
 /// Which limits there are; to be added up.
 enum { kGuessRotation = 1, kGuessTranslation = 2, kAxis = 4, kBounds = 8, kLargest = 16, kAll = 32 };
 
 /// Settings with these limits that `inside` (normalized) satisfies, some of them just so.
-inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Frame& frame, int which,
+inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Normalization& normalization, int which,
                                     Draw& d) {
   constexpr double degree = M_PI / 180;
   emtr::Settings s = emtr::preset("default");
@@ -44,16 +44,16 @@ inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Frame
     Eigen::Map<Rotation>(guess.R) = (turn * q).toRotationMatrix();
     Eigen::Vector3d::Map(guess.t) = Eigen::Vector3d::Map(inside.t) + away * d.direction();
     s.has_guess = 1;
-    emtr::to_matrix(frame.to_user(guess), s.guess);
+    emtr::to_matrix(normalization.to_user(guess), s.guess);
     if (which & kGuessRotation) s.guess_rotation = degrees + d.uniform(0, 30);
-    if (which & kGuessTranslation) s.guess_translation = frame.scale * (away + d.uniform(0, 0.3));
+    if (which & kGuessTranslation) s.guess_translation = normalization.scale * (away + d.uniform(0, 0.3));
   }
   if (which & kAxis) {
     const Eigen::AngleAxisd whole(q);
     const bool lean = d.uniform(0, 1) < 0.5;
     const Eigen::Vector3d axis = lean ? d.direction() : whole.axis();
     const emtr::SwingTwist turn(q, axis);
-    if (turn.tilt > M_PI / 2) return limits_around(inside, frame, which, d);
+    if (turn.tilt > M_PI / 2) return limits_around(inside, normalization, which, d);
     s.has_axis = 1;
     Eigen::Vector3d::Map(s.axis) = std::exp(d.uniform(-5, 5)) * axis;
     s.axis_tilt = lean ? std::min(90.0, turn.tilt / degree + d.uniform(0, 10)) : 0;
@@ -65,10 +65,10 @@ inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Frame
   }
   if (which & kBounds) {
     s.has_translation_bounds = 1;
-    const emtr::Rigid user = frame.to_user(inside);
+    const emtr::Rigid user = normalization.to_user(inside);
     for (int i = 0; i < 3; ++i) {
-      s.translation_minimum[i] = user.t[i] - frame.scale * d.uniform(0, 0.3);
-      s.translation_maximum[i] = user.t[i] + frame.scale * d.uniform(0, 0.3);
+      s.translation_minimum[i] = user.t[i] - normalization.scale * d.uniform(0, 0.3);
+      s.translation_maximum[i] = user.t[i] + normalization.scale * d.uniform(0, 0.3);
     }
   }
   if (which & kLargest)

@@ -18,11 +18,11 @@ std::string refused(const std::function<void(Settings&)>& change) {
   Settings s = emtr::preset("default");
   emtr::to_matrix(emtr::Rigid(), s.guess);
   change(s);
-  emtr::Frame frame;
-  frame.scale = 10;
+  emtr::Normalization normalization;
+  normalization.scale = 10;
   try {
     emtr::validate(s);
-    emtr::make_prior(s, frame);
+    emtr::make_prior(s, normalization);
   } catch (const emtr::Error& error) {
     EXPECT_EQ(error.status(), EMTR_ERROR_SETTING);
     return error.what();
@@ -124,9 +124,9 @@ TEST(MakePrior, ASideWithoutALimitDoesNotBlurTheOthers) {
     Settings s = emtr::preset("default");
     box(s, -none, none);
     s.translation_maximum[2] = 0.25;
-    emtr::Frame frame;
-    frame.scale = 0.1;
-    const auto prior = emtr::make_prior(s, frame);
+    emtr::Normalization normalization;
+    normalization.scale = 0.1;
+    const auto prior = emtr::make_prior(s, normalization);
     const emtr::Rigid out = prior->project(emtr_test::motion(kNone, {0.5, 0, 3}));
     EXPECT_NEAR(out.t[2], 2.5, 1e-10) << none;
     EXPECT_FALSE(prior->admits(emtr_test::motion(kNone, {0.5, 0, 2.5 + 1e-9}))) << none;
@@ -146,7 +146,7 @@ TEST(MakePrior, AGuessOfFewDigitsIsARotationToAllOfThem) {
   guess(s, {20, -35, 70}, {0.1, 0.2, 0.3});
   for (int i = 0; i < 12; ++i) s.guess[i] = std::round(1e4 * s.guess[i]) / 1e4;
   ASSERT_TRUE(emtr::is_rigid(s.guess));
-  const emtr::Rigid pose = emtr::normalized_guess(s, emtr::Frame());
+  const emtr::Rigid pose = emtr::normalized_guess(s, emtr::Normalization());
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       double dot = 0;
@@ -163,7 +163,7 @@ TEST(MakePrior, AnAxisMayHaveAnyLength) {
     s.has_axis = 1;
     s.axis[0] = s.axis[1] = length;
     s.axis[2] = -length;
-    const auto prior = emtr::make_prior(s, emtr::Frame());
+    const auto prior = emtr::make_prior(s, emtr::Normalization());
     const Eigen::Vector3d axis = prior->rotation().axis->axis;
     EXPECT_LT((axis - Eigen::Vector3d(1, 1, -1).normalized()).norm(), 1e-15) << length;
   }
@@ -174,7 +174,7 @@ TEST(MakePrior, AnAngleMayCrossHalfATurn) {
   up(s);
   s.axis_angle_minimum = 170;
   s.axis_angle_maximum = 200;
-  const auto prior = emtr::make_prior(s, emtr::Frame());
+  const auto prior = emtr::make_prior(s, emtr::Normalization());
   for (const double inside : {170.0, 180.0, -179.0, -160.0})
     EXPECT_TRUE(prior->admits(emtr_test::motion({0, 0, inside}, kNone))) << inside;
   for (const double outside : {169.9, -159.9, 0.0})

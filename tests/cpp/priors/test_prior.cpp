@@ -15,34 +15,34 @@ using emtr::PriorPtr;
 using emtr::Rigid;
 
 struct Case {
-  emtr::Frame frame;
+  emtr::Normalization normalization;
   Rigid inside;
   emtr::Settings settings;
   PriorPtr prior;
 
   Case(Draw& d, int which, double lever)
-      : frame(any_frame(d, lever)),
+      : normalization(any_frame(d, lever)),
         inside(any_pose(d)),
-        settings(limits_around(inside, frame, which, d)),
-        prior(emtr::make_prior(settings, frame)) {}
+        settings(limits_around(inside, normalization, which, d)),
+        prior(emtr::make_prior(settings, normalization)) {}
 };
 
 double angle_between(const Rigid& a, const Rigid& b) { return emtr::rotation_distance(a.R, b.R); }
 
 /// Of a row-major matrix in the user's unit: what the settings say, worked out anew.
-void expect_satisfied(const emtr::Settings& s, const emtr::Frame& frame, const Rigid& pose) {
+void expect_satisfied(const emtr::Settings& s, const emtr::Normalization& normalization, const Rigid& pose) {
   constexpr double degree = M_PI / 180, tiny = 1e-8;
   using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const Rigid user = frame.to_user(pose);
+  const Rigid user = normalization.to_user(pose);
   const Eigen::Matrix3d R = Eigen::Map<const Rotation>(user.R);
   EXPECT_NEAR((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 0, 1e-12);
   if (s.has_guess) {
     const Rigid guess = emtr::from_matrix(s.guess);
     EXPECT_LE(angle_between(user, guess), s.guess_rotation * degree + tiny);
-    const Vector3d c = Vector3d::Map(frame.center_source);
+    const Vector3d c = Vector3d::Map(normalization.center_source);
     const Vector3d at = R * c + Vector3d::Map(user.t);
     const Vector3d wanted = Eigen::Map<const Rotation>(guess.R) * c + Vector3d::Map(guess.t);
-    EXPECT_LE((at - wanted).norm(), s.guess_translation + tiny * frame.scale);
+    EXPECT_LE((at - wanted).norm(), s.guess_translation + tiny * normalization.scale);
   }
   if (s.has_axis) {
     const Vector3d a = Vector3d::Map(s.axis).normalized();
@@ -54,19 +54,19 @@ void expect_satisfied(const emtr::Settings& s, const emtr::Frame& frame, const R
   }
   if (s.has_translation_bounds) {
     for (int i = 0; i < 3; ++i) {
-      EXPECT_GE(user.t[i], s.translation_minimum[i] - tiny * frame.scale);
-      EXPECT_LE(user.t[i], s.translation_maximum[i] + tiny * frame.scale);
+      EXPECT_GE(user.t[i], s.translation_minimum[i] - tiny * normalization.scale);
+      EXPECT_LE(user.t[i], s.translation_maximum[i] + tiny * normalization.scale);
     }
   }
   EXPECT_LE(angle_between(user, Rigid()), s.maximum_rotation * degree + tiny);
 }
 
 TEST(Prior, AllPosesAreAdmissibleByDefault) {
-  EXPECT_EQ(emtr::make_prior(emtr::preset("default"), emtr::Frame()), nullptr);
+  EXPECT_EQ(emtr::make_prior(emtr::preset("default"), emtr::Normalization()), nullptr);
   emtr::Settings hypothesis = emtr::preset("default");
   hypothesis.has_guess = 1;
   emtr::to_matrix(Rigid(), hypothesis.guess);
-  EXPECT_EQ(emtr::make_prior(hypothesis, emtr::Frame()), nullptr);
+  EXPECT_EQ(emtr::make_prior(hypothesis, emtr::Normalization()), nullptr);
 }
 
 TEST(Prior, WhatItProjectsIsAdmissibleAndStays) {
@@ -80,7 +80,7 @@ TEST(Prior, WhatItProjectsIsAdmissibleAndStays) {
         const Rigid pose = any_pose(d, 2), found = c.prior->project(pose),
                     again = c.prior->project(found);
         EXPECT_TRUE(c.prior->admits(found)) << which;
-        expect_satisfied(c.settings, c.frame, found);
+        expect_satisfied(c.settings, c.normalization, found);
         EXPECT_TRUE(std::equal(found.R, found.R + 9, again.R) &&
                     std::equal(found.t, found.t + 3, again.t));
       }
@@ -166,7 +166,7 @@ TEST(Prior, SeedsThatAreFarOutAreDropped) {
   emtr::Settings s = emtr::preset("default");
   s.has_axis = 1;
   s.axis[2] = 1;
-  const PriorPtr prior = emtr::make_prior(s, emtr::Frame());
+  const PriorPtr prior = emtr::make_prior(s, emtr::Normalization());
   const std::vector<Rigid> seeds = {motion({0, 0, 150}, {0.4, 0, 0}), motion({12, 0, 0}, kNone),
                                     motion({60, 0, 0}, kNone)};
   EXPECT_EQ(emtr::admissible(seeds, nullptr).size(), 3u);

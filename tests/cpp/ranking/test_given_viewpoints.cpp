@@ -7,8 +7,8 @@ namespace {
 
 using emtr::GivenViewpoints;
 
-emtr::Frame frame() {
-  emtr::Frame out;
+emtr::Normalization normalization() {
+  emtr::Normalization out;
   out.scale = 2;
   out.center_source[0] = 10;
   out.center_target[2] = -4;
@@ -24,13 +24,13 @@ emtr::Settings settings() {
 
 TEST(GivenViewpoints, AreInTheNormalisedFrameOfTheirOwnCloud) {
   emtr::Settings s = settings();
-  const GivenViewpoints one(s, frame());
+  const GivenViewpoints one(s, normalization());
   ASSERT_TRUE(one.source);
   EXPECT_EQ(one.source->at[0], 3);
   EXPECT_FALSE(one.target);
   EXPECT_FALSE(one.both());
   s.has_viewpoint_target = 1;
-  const GivenViewpoints two(s, frame());
+  const GivenViewpoints two(s, normalization());
   ASSERT_TRUE(two.both());
   EXPECT_EQ(two.target->at[2], 2);
 }
@@ -38,13 +38,13 @@ TEST(GivenViewpoints, AreInTheNormalisedFrameOfTheirOwnCloud) {
 TEST(GivenViewpoints, AreNotAskedForWhereFreeSpaceIsOff) {
   emtr::Settings s = settings();
   s.free_space = 0;
-  EXPECT_FALSE(GivenViewpoints(s, frame()).source);
+  EXPECT_FALSE(GivenViewpoints(s, normalization()).source);
 }
 
 TEST(GivenViewpoints, OneTooFarAwayIsRefused) {
   emtr::Settings s = settings();
   s.viewpoint_source[1] = 1e9;
-  EXPECT_THROW(GivenViewpoints(s, frame()), emtr::Error);
+  EXPECT_THROW(GivenViewpoints(s, normalization()), emtr::Error);
 }
 
 }  // namespace

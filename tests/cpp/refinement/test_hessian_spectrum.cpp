@@ -99,7 +99,7 @@ TEST(HessianSpectrum, WhatAPriorHoldsIsNotFree) {
     settings.has_axis = 1;
     Eigen::Vector3d::Map(settings.axis) = axis;
     settings.maximum_rotation = largest;
-    const auto prior = emtr::make_prior(settings, emtr::Frame());
+    const auto prior = emtr::make_prior(settings, emtr::Normalization());
     return emtr::unconstrained_within(s, prior->limits(emtr::Rigid()));
   };
   const Eigen::Vector3d x(1, 0, 0), z(0, 0, 1);

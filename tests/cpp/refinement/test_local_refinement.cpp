@@ -32,7 +32,7 @@ struct Scans {
   explicit Scans(std::uint64_t seed, std::size_t points) {
     const emtr_test::Pair made(seed, points);
     pair = emtr::normalize(made.source(), made.target(), 1);
-    truth = pair.frame.to_normalized(emtr::from_matrix(made.pose()));
+    truth = pair.normalization.to_normalized(emtr::from_matrix(made.pose()));
   }
   Surface source(double leaf) const { return emtr::downsample_surface(pair.source, leaf); }
   Surface target(double leaf) const { return emtr::downsample_surface(pair.target, leaf); }
@@ -182,7 +182,7 @@ TEST(LocalRefinement, RefusesWhatItCannotUse) {
 struct Bumps {
   emtr_test::Pair pair{71, 6000};
   emtr::NormalizedPair normalized = emtr::normalize(pair.source(), pair.target(), 1);
-  emtr::Rigid truth = normalized.frame.to_normalized(emtr::from_matrix(pair.pose()));
+  emtr::Rigid truth = normalized.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   emtr_test::Refiner refiner{emtr::downsample_surface(normalized.source, 0.03),
                                emtr::downsample_surface(normalized.target, 0.03), emtr::LocalRefinementSettings()};
 
@@ -209,7 +209,7 @@ double step_left(const emtr::LocalRefinementResult& p, const std::vector<emtr::P
 
 TEST(LocalRefinement, UprightItEndsInTheOptimumOfFour) {
   const Bumps bumps;
-  const auto prior = emtr::make_prior(bumps.upright(), bumps.normalized.frame);
+  const auto prior = emtr::make_prior(bumps.upright(), bumps.normalized.normalization);
   const emtr::Rigid start =
       prior->project(emtr_test::compose(emtr_test::motion({2, -1, 1}, {0.02, 0, 0}), bumps.truth));
   const emtr::LocalRefinementResult p = bumps.from(start, prior.get()), free = bumps.from(start, nullptr);
@@ -227,9 +227,9 @@ TEST(LocalRefinement, AtABorderTheRestMakesTheBestOfIt) {
   s.has_guess = 1;  // 0.02 away, and no further than 0.01 from there
   emtr::Rigid guess = bumps.truth;
   guess.t[0] += 0.02;
-  emtr::to_matrix(bumps.normalized.frame.to_user(guess), s.guess);
-  s.guess_translation = 0.01 * bumps.normalized.frame.scale;
-  const auto prior = emtr::make_prior(s, bumps.normalized.frame);
+  emtr::to_matrix(bumps.normalized.normalization.to_user(guess), s.guess);
+  s.guess_translation = 0.01 * bumps.normalized.normalization.scale;
+  const auto prior = emtr::make_prior(s, bumps.normalized.normalization);
   const emtr::LocalRefinementResult p = bumps.from(guess, prior.get()), free = bumps.from(guess, nullptr);
   EXPECT_EQ(p.end, emtr::Termination::Settled);
   EXPECT_TRUE(prior->admits(p.pose));

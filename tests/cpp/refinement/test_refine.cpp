@@ -23,7 +23,7 @@ struct Refinement {
   explicit Refinement(std::uint64_t seed, std::size_t points = 5000)
       : pair(seed, points), normalized(emtr::normalize(pair.source(), pair.target(), 1)) {
     settings.threads = 1;
-    truth = normalized.frame.to_normalized(emtr::from_matrix(pair.pose()));
+    truth = normalized.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   }
 
   emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {

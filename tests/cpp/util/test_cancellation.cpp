@@ -82,14 +82,14 @@ TEST(CancellationToken, IsAskedEveryFewMillisecondsOfWorkInEachStage) {
   const auto matches = static_cast<std::size_t>(settings.max_correspondences),
              particles = 2 * static_cast<std::size_t>(settings.population),
              described = static_cast<std::size_t>(settings.dense_points);
-  EXPECT_GE(polls["frame"], 2 * 4 * points / 65536);  // four passes over each cloud, by blocks
-  EXPECT_GE(polls["densities"], 5u);                  // counts of one leaf each
+  EXPECT_GE(polls["normalization"], 2 * 4 * points / 65536);  // four passes over each cloud, by blocks
+  EXPECT_GE(polls["downsampling"], 5u);                  // counts of one leaf each
   EXPECT_GE(polls["features"], described / 100);
   EXPECT_GE(polls["matching"], described / 64);  // and the points of the grids
   EXPECT_GE(polls["seeds"], matches / 10);       // by match and by seed
   EXPECT_GE(polls["evolution"], particles * static_cast<std::size_t>(settings.iterations));
   EXPECT_GE(polls["candidates"], 12u * 5u);  // by step of each polish
-  EXPECT_GE(polls["escalation"], static_cast<std::size_t>(settings.fallback_points) / 10);
+  EXPECT_GE(polls["fallback_search"], static_cast<std::size_t>(settings.fallback_points) / 10);
   EXPECT_GE(polls["refinement"], points / 1024);
 }
 
@@ -119,7 +119,7 @@ TEST(CancellationToken, IsAskedWhileWhatWasHandedInIsRead) {
   };
   const emtr::Problem problem(normalized, settings, watch);
   EXPECT_TRUE(problem.stopped());
-  EXPECT_GE(polls["frame"], 2 * points / 256);
+  EXPECT_GE(polls["normalization"], 2 * points / 256);
   EXPECT_GE(polls["features"], points / 1024);
 }
 
@@ -146,7 +146,7 @@ void expect_whole(const emtr::Result& r, const emtr::Result& whole, const std::s
   EXPECT_EQ(r.reason, EMTR_REASON_INTERRUPTED);
   EXPECT_EQ(r.registered, 0);
   const bool known = std::isfinite(r.transformation[0]);
-  if (stage == "candidates" || stage == "escalation" || stage == "refinement") {
+  if (stage == "candidates" || stage == "fallback_search" || stage == "refinement") {
     EXPECT_TRUE(known);
   }
   if (known) {
@@ -159,7 +159,7 @@ void expect_whole(const emtr::Result& r, const emtr::Result& whole, const std::s
     EXPECT_EQ(r.history_alpha[i], whole.history_alpha[i]);
   EXPECT_FALSE(r.refined);
   EXPECT_EQ(r.used_fallback_search, stage == "refinement");
-  EXPECT_EQ(std::isfinite(r.confidence), stage == "escalation" || stage == "refinement");
+  EXPECT_EQ(std::isfinite(r.confidence), stage == "fallback_search" || stage == "refinement");
   if (std::isfinite(r.confidence)) {
     EXPECT_GT(r.candidates, 0u);
   }
@@ -279,7 +279,7 @@ TEST(CancellationToken, ACallbackMayRegisterTheCloudsOfTheRun) {
   const emtr::Settings settings = through_all_stages(1);
   std::size_t asked = 0;
   const auto nested = [&](const emtr_progress& p) {
-    if (p.stage != std::string("densities") || ++asked % 20 != 10) return false;
+    if (p.stage != std::string("downsampling") || ++asked % 20 != 10) return false;
     EXPECT_TRUE(same_pose(*emtr::Problem(source, target, settings, nullptr).solve(nullptr),
                           undisturbed(pair)));
     return false;

@@ -12,7 +12,7 @@ class Verdict : public testing::Test {
  protected:
   emtr_test::Pair pair{21, 5000};
   emtr::Problem problem{pair.source(), pair.target(), emtr::preset("paper"), nullptr};
-  emtr::Rigid truth = problem.frame.to_normalized(emtr::from_matrix(pair.pose()));
+  emtr::Rigid truth = problem.normalization.to_normalized(emtr::from_matrix(pair.pose()));
 
   emtr::Evolution with(std::vector<emtr::Rigid> poses) const {
     emtr::Evolution e;

@@ -14,7 +14,7 @@ def plot(rows: Sequence[dict[str, Any]], path: Path) -> None:
     figure = new_figure()
     time, memory = figure.subplots(1, 2)
     points = [row["points"] for row in rows]
-    for stage in ("frame", "densities", "features", "matching", "evolution"):
+    for stage in ("normalization", "downsampling", "features", "matching", "evolution"):
         time.loglog(points, [row["stages"][stage] for row in rows], ".-", lw=1, label=stage)
     time.loglog(points, [row["seconds"] for row in rows], "ko-", label="total")
     time.loglog(points, [row["seconds_kept"] for row in rows], "k:", label="both clouds kept")

@@ -20,8 +20,8 @@ class Variant:
 
 WHOLE, SWARM = "whole", "without seeds"
 _NO_SEEDS: dict[str, Setting] = {"seeds": 0, "injected_seeds": 0}
-#: An escalation makes seeds of its own.
-_SWARM: dict[str, Setting] = {**_NO_SEEDS, "escalation": "off"}
+#: An fallback_search makes seeds of its own.
+_SWARM: dict[str, Setting] = {**_NO_SEEDS, "fallback_search": "off"}
 _ANGLES: dict[str, Setting] = {"rotation_vector_steps": "off", "arc_transfer": "off"}
 #: Swarms with seeds go by Euler angles unless told otherwise.
 _NO_ANGLES: dict[str, Setting] = {"rotation_vector_steps": "always", "arc_transfer": "always"}
@@ -37,7 +37,7 @@ VARIANTS = (
     Variant(WHOLE, "evolution (1 iteration)", {"iterations": 1}),
     Variant(WHOLE, "candidates", {"candidates": 0}),
     Variant(WHOLE, "free space", {"free_space": 0}),
-    Variant(WHOLE, "escalation", {"escalation": "off"}),
+    Variant(WHOLE, "fallback_search", {"fallback_search": "off"}),
     Variant(WHOLE, "refinement", {"refine": 0}),
     Variant(SWARM, "nothing", _SWARM),
     Variant(SWARM, "transfer", {**_SWARM, "transfer": 0}),
