@@ -3,8 +3,8 @@
 import argparse
 
 import pytest
-from emtr_bench.document import arguments, program, running
-from emtr_bench.document.parts import NAMES, Part
+from emtr_bench.report import arguments, program, running
+from emtr_bench.report.parts import NAMES, Part
 from emtr_bench.locations import REPOSITORY
 
 

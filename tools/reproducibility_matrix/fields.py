@@ -14,8 +14,23 @@ SCALARS = [
     *("inlier_rmse", "fitness_gap", "points_source", "points_target", "dropped_source"),
     *("dropped_target", "sparse_source", "dense_source", "dense_target", "correspondences"),
     *("tims", "tims_pruned", "scale", "leaf_sparse", "leaf_dense", "iterations", "confidence"),
-    *("score", "fit", "violation", "score_gap", "seeds", "candidates", "used_fallback_search", "refined"),
-    *("unconstrained_directions", "overlap_source", "overlap_target", "inlier_rmse_plane", "leaf_fine"),
+    *(
+        "score",
+        "fit",
+        "violation",
+        "score_gap",
+        "seeds",
+        "candidates",
+        "used_fallback_search",
+        "refined",
+    ),
+    *(
+        "unconstrained_directions",
+        "overlap_source",
+        "overlap_target",
+        "inlier_rmse_plane",
+        "leaf_fine",
+    ),
 ]
 LISTS = [
     *("transformation", "center_source", "center_target", "history_alpha", "history_beta"),
@@ -53,7 +68,11 @@ def of_report(report: Mapping[str, Any], residuals: Any) -> Fields:
     )
     others = [(other["transformation"], other["score"]) for other in report["alternatives"]]
     values["alternatives"] = [v for T, score in others for v in [*_flat(T), score]]
-    for name, length in (("information", 36), ("hessian_eigenvalues", 6), ("hessian_eigenvectors", 36)):
+    for name, length in (
+        ("information", 36),
+        ("hessian_eigenvalues", 6),
+        ("hessian_eigenvectors", 36),
+    ):
         given = refinement.get(name)
         values[name] = _flat(given) if given is not None else [math.nan] * length
     values["queries"] = [queries["evaluation"], queries["switch"], queries["complement"]]
