@@ -54,7 +54,9 @@ def test_motions_fill_their_ranges_with_either_sign():
         small = kind.startswith("SR")
         top = protocol.SMALL_ANGLES if small else protocol.LARGE_ANGLES
         assert (np.abs(angles).max(axis=0) > 0.97 * top).all(), kind
-        assert (np.abs(translation).max(axis=0) > (0.48 if kind.endswith("ST") else 0.97)).all(), kind
+        assert (np.abs(translation).max(axis=0) > (0.48 if kind.endswith("ST") else 0.97)).all(), (
+            kind
+        )
         for column in (*angles.T, *translation.T):
             assert 0.4 < np.mean(column > 0.0) < 0.6, kind
 
@@ -66,7 +68,9 @@ def test_the_truth_maps_the_moved_source_onto_the_aligned_one(name, index):
     moved = protocol.apply(motion.matrix, CLOUD)
     np.testing.assert_allclose(protocol.apply(motion.T_true, moved), CLOUD, atol=1e-10)
     # The centroid moves by the translation, whatever the rotation.
-    np.testing.assert_allclose(moved.mean(axis=0) - CLOUD.mean(axis=0), motion.translation, atol=1e-10)
+    np.testing.assert_allclose(
+        moved.mean(axis=0) - CLOUD.mean(axis=0), motion.translation, atol=1e-10
+    )
 
 
 @settings(deadline=None)

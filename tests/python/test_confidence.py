@@ -84,7 +84,8 @@ def test_alternatives_are_other_poses_best_first(twofold):
         for other in poses[1:i]:
             assert (
                 shapes.rotation_error(pose, other) > 9.99
-                or shapes.centroid_error(pose, other, twofold.source) > 0.149 * found.normalization_scale
+                or shapes.centroid_error(pose, other, twofold.source)
+                > 0.149 * found.normalization_scale
             )
 
 

@@ -68,7 +68,9 @@ def expect_near(case: Case, transformation, tolerance) -> None:
     wanted = case.result.transformation
     center = np.append(case.result.center_source, 1)
     assert rotation_error(transformation, wanted) < angle  # degrees
-    moved = np.linalg.norm(((transformation - wanted) @ center)[:3]) / case.result.normalization_scale
+    moved = (
+        np.linalg.norm(((transformation - wanted) @ center)[:3]) / case.result.normalization_scale
+    )
     assert moved < offset
 
 

@@ -55,8 +55,8 @@ def test_same_seed_same_bits_for_any_threads_and_both_ways(pair, preset):
 
 
 def test_each_seed_is_its_own(pair):
-    # The swarm alone, for its seeds and the refinement all lead to one pose. The last two differ only
-    # beyond what a double can hold.
+    # The swarm runs alone: seeds and refinement would all lead to one pose. The last two seeds
+    # differ only beyond what a double can hold.
     seeds = [0, 1, 2**53, 2**53 + 1, 2**64 - 2, 2**64 - 1, np.uint64(5)]
     results = [
         pyemtr.register(pair.source, pair.target, seed=seed, preset="paper", **QUICK)

@@ -9,9 +9,9 @@ from accuracy_fakes import FakeEngine
 from emtr_bench import accuracy, pairs, records
 from emtr_bench.calibration.figures import calibration
 from emtr_bench.calibration.judged import Judged
+from emtr_bench.peers import output, runs
 from emtr_bench.report.page import page
 from emtr_bench.report.parts import NAMES, Part, all_parts
-from emtr_bench.peers import output, runs
 from peers_fakes import FakeMethod
 
 MACHINE = {"date": "today", "revision": "abc", "load average": "0.1", "cpu": "a fine one"}
