@@ -125,10 +125,6 @@ typedef struct emtr_settings {
    * by Euler angles: 0 off, 1 where no particle starts at a seed, 2 always. Where a prior limits
    * the rotation the genes are made for that, and step as they are */
   int32_t rotation_vector_steps;
-  /* where no particle starts at a seed, after so many iterations without a better best of task
-   * alpha, particles of both swarms are drawn anew; 0: never */
-  int32_t restart_after;
-  double restart_share; /* of each swarm, those with the worst bests */
 
   /* knowledge transfer and complement (Algorithm 2) */
   int32_t transfer;            /* 0: the tasks do not talk (ablation) */
