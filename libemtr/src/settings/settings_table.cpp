@@ -86,12 +86,6 @@ const std::vector<Setting>& setting_table() {
           "step by rotation vectors instead of Euler angles; auto: where no particle starts at a "
           "seed",
           "off,auto,always"),
-      SETTING(restart_after, Integer, "iterations", 0, 1000000, 0, "particle swarm",
-              "iterations without a better pose after which particles are drawn anew, where none "
-              "starts at a seed; 0: never",
-              ""),
-      SETTING(restart_share, Real, "", 0, 1, 0.5, "particle swarm",
-              "share of either swarm that is drawn anew", ""),
       SETTING(transfer, Switch, "", 0, 1, 1, "knowledge transfer",
               "knowledge transfer between the tasks", ""),
       SETTING(transfer_probability, Real, "", 0, 1, 0.7, "knowledge transfer",
@@ -194,7 +188,6 @@ const std::vector<Preset>& preset_table() {
         {"translation_bound", 0.5},
         {"iterations", 100},
         {"rotation_vector_steps", 0},
-        {"restart_after", 0},
         {"arc_transfer", 0},
         {"candidates", 0},
         {"free_space", 0},
