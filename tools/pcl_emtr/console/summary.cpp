@@ -2,8 +2,8 @@
 
 #include <cinttypes>
 #include <cstdio>
+#include <cstring>
 #include <string>
-#include <utility>
 
 #include "console/colors.h"
 #include "console/milliseconds.h"
@@ -12,19 +12,19 @@ namespace cli {
 namespace {
 
 /// Returns the milliseconds of the stages that took any.
-std::string stages(const emtr_result& r) {
-  const std::pair<const char*, double> all[] = {
-      {"normalization", r.seconds_normalization},           {"downsampling", r.seconds_downsampling},
-      {"features", r.seconds_features},     {"matching", r.seconds_matching},
-      {"seeds", r.seconds_seeds},           {"evolution", r.seconds_evolution},
-      {"candidates", r.seconds_candidates}, {"fallback_search", r.seconds_fallback_search},
-      {"refinement", r.seconds_refinement}, {"verdict", r.seconds_verdict}};
+std::string stages(const emtr_result& result) {
   std::string text;
-  for (const auto& [name, seconds] : all) {
+  for (std::size_t i = 0; i < emtr_result_field_count(); ++i) {
+    emtr_result_field_info field;
+    emtr_result_field_describe(i, &field, sizeof field);
+    const std::string group = field.group, stage = field.key;
+    if (group != "seconds" || stage == "total") continue;
+    double seconds;
+    std::memcpy(&seconds, reinterpret_cast<const char*>(&result) + field.offset, sizeof seconds);
     if (seconds == 0) continue;
     char number[32];
     std::snprintf(number, sizeof number, " %.*f", seconds < 0.01 ? 1 : 0, 1e3 * seconds);
-    text += (text.empty() ? "" : ", ") + std::string(name) + number;
+    text += (text.empty() ? "" : ", ") + stage + number;
   }
   return text;
 }

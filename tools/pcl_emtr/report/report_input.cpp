@@ -48,7 +48,7 @@ void add_known_pose(Json& out, const emtr_settings& s) {
 
 }  // namespace
 
-void add_input(Json& out, const Options& options, const emtr_result& r) {
+void add_input(Json& out, const Options& options) {
   out["versions"] = {
       {"emtr", emtr_version()}, {"pcl", PCL_VERSION_PRETTY}, {"eigen", eigen_version()}};
   out["files"] = {{"source", options.source},
@@ -59,9 +59,6 @@ void add_input(Json& out, const Options& options, const emtr_result& r) {
                   {"guess", text_or_null(options.guess)},
                   {"correspondences", text_or_null(options.correspondences.path)}};
   out["preset"] = options.preset;
-  out["seed"] = r.seed;
-  out["threads"] = r.threads;
-  out["kernel"] = r.kernel;
   out["settings"] = settings_json(options.settings);
   add_known_pose(out, options.settings);
   out["user_provided"] = {{"normals", options.fields.normals},

@@ -9,6 +9,6 @@ namespace cli {
 
 /// Adds everything that repeats the run: versions, files, preset, seed, settings, what is known of
 /// the pose, and user-provided data.
-void add_input(Json& out, const Options& options, const emtr_result& result);
+void add_input(Json& out, const Options& options);
 
 }  // namespace cli
