@@ -8,8 +8,8 @@
 
 namespace emtr {
 
-/// What the caller says of where the sensors stood, each in its cloud's normalized frame. Neither
-/// when free space is to say nothing. Throws Error when one is too far away.
+/// The sensors' places that the user gave, each in its cloud's normalized frame; neither when the
+/// settings leave free space out. Throws Error when one is too far away.
 struct GivenViewpoints {
   std::optional<Viewpoint> source, target;
 
