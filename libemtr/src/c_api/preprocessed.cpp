@@ -13,7 +13,7 @@ using emtr::required;
 extern "C" {
 
 emtr_status emtr_preprocess(const emtr_cloud* cloud, const char* name, int32_t threads,
-                         emtr_preprocessed** preprocessed) {
+                            emtr_preprocessed** preprocessed) {
   return guarded([&] {
     required(preprocessed, "prepared") = nullptr;
     *preprocessed = new emtr_preprocessed{std::make_shared<const emtr::PreprocessedCloud>(
@@ -23,8 +23,8 @@ emtr_status emtr_preprocess(const emtr_cloud* cloud, const char* name, int32_t t
 
 void emtr_preprocessed_free(emtr_preprocessed* preprocessed) { delete preprocessed; }
 
-emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed, emtr_preprocessed_info* info,
-                                   size_t size) {
+emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed,
+                                       emtr_preprocessed_info* info, size_t size) {
   return guarded([&] {
     const emtr::PreprocessedCloud& cloud = *required(preprocessed, "prepared").cloud;
     emtr_preprocessed_info out{};

@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "util/enum_number.h"
 #include "c_api/arguments.h"
 #include "c_api/guarded.h"
 #include "c_api/handles.h"
+#include "util/enum_number.h"
 
 using emtr::checked;
 using emtr::guarded;
@@ -30,8 +30,10 @@ emtr_problem* made(const Cloud& source, const Cloud& target, const emtr_settings
 
 extern "C" {
 
-emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* source, const emtr_preprocessed* target,
-                                         const emtr_settings* settings, emtr_problem** problem) {
+emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* source,
+                                             const emtr_preprocessed* target,
+                                             const emtr_settings* settings,
+                                             emtr_problem** problem) {
   return guarded([&] {
     required(problem, "problem") = nullptr;
     *problem = made(required(source, "source").cloud, required(target, "target").cloud, settings);

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "util/enum_number.h"
-#include "geometry/euler.h"
-#include "util/thread_team.h"
 #include "c_api/arguments.h"
 #include "c_api/guarded.h"
 #include "c_api/handles.h"
+#include "geometry/euler.h"
+#include "util/enum_number.h"
+#include "util/thread_team.h"
 
 using emtr::checked;
 using emtr::guarded;
@@ -93,8 +93,8 @@ emtr_status emtr_particle_to_transformation(const emtr_problem* problem, const d
 emtr_status emtr_transformation_to_particle(const emtr_problem* problem, const double T[16],
                                             double particle[6]) {
   return guarded([&] {
-    const emtr::Rigid pose =
-        checked(problem).normalization.to_normalized(emtr::given_rigid(&required(T, "transformation")));
+    const emtr::Rigid pose = checked(problem).normalization.to_normalized(
+        emtr::given_rigid(&required(T, "transformation")));
     emtr::encode(pose, &required(particle, "particle"));
   });
 }
