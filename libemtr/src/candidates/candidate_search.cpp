@@ -39,14 +39,14 @@ void CandidateSearch::run_fallback_search() {
   const GivenViewpoints given(settings_, pair_.normalization);
   const Viewpoints source = viewpoints(surfaces_.source(), given.source);
   const Viewpoints target = viewpoints(surfaces_.target(), given.target);
-  const auto seeds = admissible(
-      find_fallback_seeds(pair_, source, target, settings_, kernels_, threads_), prior_);
-  auto oriented = std::make_unique<SurfacePair>(surfaces_.shared_source(),
-                                                surfaces_.shared_target(), source, target, kernels_);
+  const auto seeds =
+      admissible(find_fallback_seeds(pair_, source, target, settings_, kernels_, threads_), prior_);
+  auto oriented = std::make_unique<SurfacePair>(
+      surfaces_.shared_source(), surfaces_.shared_target(), source, target, kernels_);
   auto candidates = std::make_unique<CandidateSet>(*oriented, prior_);
   ThreadTeam::with(threads_, [&](ThreadTeam& team) {
-    std::vector<Rigid> all = candidates->shortlist(
-        seeds, static_cast<std::size_t>(settings_.fallback_candidates), team);
+    std::vector<Rigid> all =
+        candidates->shortlist(seeds, static_cast<std::size_t>(settings_.fallback_candidates), team);
     for (const Candidate& c : candidates_->ranked()) all.push_back(c.pose);
     candidates->add(all, team);
   });

@@ -32,12 +32,12 @@ std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
   many.dense_points = settings.fallback_points;
   const DownsampledClouds d = downsample_dense(pair, many);
   const bool trust = trust_normals(pair);
-  const Features source = describe_towards(d.source_dense, d.source_normals, trust,
-                                           source_viewpoints, d.leaf_dense, settings, kernels,
-                                           threads);
-  const Features target = describe_towards(d.target_dense, d.target_normals, trust,
-                                           target_viewpoints, d.leaf_dense, settings, kernels,
-                                           threads);
+  const Features source =
+      describe_towards(d.source_dense, d.source_normals, trust, source_viewpoints, d.leaf_dense,
+                       settings, kernels, threads);
+  const Features target =
+      describe_towards(d.target_dense, d.target_normals, trust, target_viewpoints, d.leaf_dense,
+                       settings, kernels, threads);
 
   std::vector<Rigid> out;
   const auto search = [&](const Features& source_features) {
@@ -47,8 +47,8 @@ std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
     const double threshold = settings.seed_threshold * d.leaf_dense;
     const Consistency consistency(d.source_dense, d.target_dense, matches, threshold, kernels,
                                   threads);
-    for (const Seed& seed : find_seeds(
-             consistency, threshold, static_cast<std::size_t>(settings.fallback_seeds), threads))
+    for (const Seed& seed : find_seeds(consistency, threshold,
+                                       static_cast<std::size_t>(settings.fallback_seeds), threads))
       out.push_back(seed.pose);
   };
   search(source);

@@ -32,7 +32,8 @@ class SharedSurface {
   const Surface& operator*() const { return owned_->surface; }
   const Surface* operator->() const { return &owned_->surface; }
 
-  /// Holds as many entries as points that come with a normal; users refuse a surface that lacks some.
+  /// Holds as many entries as points that come with a normal; users refuse a surface that lacks
+  /// some.
   const std::vector<SurfacePoint>& interleaved() const { return owned_->interleaved; }
 
  private:

@@ -13,15 +13,16 @@ namespace emtr {
 class CubeMap {
  public:
   struct Window {
-    std::int32_t left, top, right, bottom;  ///< first and last column and row; none when right < left
-    std::size_t first;                      ///< number of the bin at left, top
+    std::int32_t left, top, right,
+        bottom;         ///< first and last column and row; none when right < left
+    std::size_t first;  ///< number of the bin at left, top
 
     bool contains(const DirectionBins::Bin& bin) const {
       return bin.column >= left && bin.column <= right && bin.row >= top && bin.row <= bottom;
     }
     std::size_t index(std::int32_t column, std::int32_t row) const {
-      return first + static_cast<std::size_t>(row - top) *
-                         static_cast<std::size_t>(right - left + 1) +
+      return first +
+             static_cast<std::size_t>(row - top) * static_cast<std::size_t>(right - left + 1) +
              static_cast<std::size_t>(column - left);
     }
   };

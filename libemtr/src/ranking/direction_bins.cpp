@@ -3,8 +3,9 @@
 namespace emtr {
 namespace {
 
-constexpr double kQuarter = 1.5707963267948966;  // the angle that a face sees: a quarter of a circle
-constexpr double kMaximumBins = 1 << 18;         // along an edge: all that floats can tell apart
+constexpr double kQuarter =
+    1.5707963267948966;                   // the angle that a face sees: a quarter of a circle
+constexpr double kMaximumBins = 1 << 18;  // along an edge: all that floats can tell apart
 
 }  // namespace
 

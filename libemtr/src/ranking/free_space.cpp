@@ -39,8 +39,7 @@ double FreeSpace::violation(const Cloud& source, const Cloud& target, const Rigi
   const auto same_side = [sign](std::size_t i, std::size_t j) { return (i == j) == (sign > 0); };
   const std::size_t n = std::max<std::size_t>(source_maps_.size(), 1),
                     m = std::max<std::size_t>(target_maps_.size(), 1);
-  const bool all =
-      source_maps_.empty() || target_maps_.empty() || (n == 1 && m == 1) || sign == 0;
+  const bool all = source_maps_.empty() || target_maps_.empty() || (n == 1 && m == 1) || sign == 0;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < m; ++j)
       if (all || same_side(i, j)) minimum = std::min(minimum, (s[i] + t[j]) / 2);

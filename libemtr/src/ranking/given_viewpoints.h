@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "preprocessing/normalization.h"
-#include "settings/settings.h"
 #include "ranking/viewpoint.h"
+#include "settings/settings.h"
 
 namespace emtr {
 

@@ -19,7 +19,8 @@ struct SurfaceFitValue {
   /// are no inliers), e the distance from the tangent plane; each cloud against the other, then the
   /// mean of both. 0 to 1.
   double score = 0;
-  /// The part of the score due to inliers whose normals point the same way (a positive dot product).
+  /// The part of the score due to inliers whose normals point the same way (a positive dot
+  /// product).
   double same_side = 0;
   /// Mean of the dot product of both normals, with its sign, over the inliers: near 1 or -1 where
   /// the normals of both clouds are oriented by one rule. 0 when there are no inliers.

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "util/cancellation.h"
 #include "ranking/z_buffer.h"
+#include "util/cancellation.h"
 
 namespace emtr {
 namespace {

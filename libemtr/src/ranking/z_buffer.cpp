@@ -11,7 +11,8 @@
 namespace emtr {
 namespace {
 
-constexpr float kMinimumCosine = 0.1f;  // a surface seen more askance falls away no further than at this
+constexpr float kMinimumCosine =
+    0.1f;  // a surface seen more askance falls away no further than at this
 
 double mean(const std::vector<float>& v) {
   return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());

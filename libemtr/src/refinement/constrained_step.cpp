@@ -13,7 +13,8 @@ constexpr double kRounding = 1e-13;
 
 /// The dual method of Goldfarb and Idnani (Mathematical Programming 27, 1983): limits that are
 /// broken become active one after the other, and one that is active is dropped as soon as it would
-/// keep the step from going further inside. The cost rises from change to change, so none comes twice.
+/// keep the step from going further inside. The cost rises from change to change, so none comes
+/// twice.
 class ActiveSet {
  public:
   ActiveSet(const Matrix6& H, const Vector6& g, const std::vector<Prior::Limit>& limits)
@@ -53,7 +54,8 @@ class ActiveSet {
     for (std::size_t i = 0; i < active_.size(); ++i)
       room[static_cast<Eigen::Index>(i)] = i < equalities_ ? 0 : limits_[active_[i]].room;
     const Eigen::MatrixXd S = N.transpose() * HN;
-    return unconstrained_ - HN * S.completeOrthogonalDecomposition().solve(N.transpose() * unconstrained_ - room);
+    return unconstrained_ -
+           HN * S.completeOrthogonalDecomposition().solve(N.transpose() * unconstrained_ - room);
   }
 
   std::size_t worst_broken() const {
@@ -74,7 +76,7 @@ class ActiveSet {
     const Vector6 n = normal(limit), Hn = factor_.solve(n);
     double multiplier = 0;
     while (++changes_ <= kMaximumChanges) {
-      Vector6 along = Hn;      // the step goes against it as the limit pulls
+      Vector6 along = Hn;      // the step goes against this direction
       Eigen::VectorXd relief;  // how fast the active limits' multipliers fall along it
       if (!active_.empty()) {
         const Eigen::MatrixXd N = normals(), HN = factor_.solve(N);

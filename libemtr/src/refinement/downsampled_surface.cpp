@@ -61,8 +61,7 @@ Surface downsample_surface(const Cloud& cloud, const Cloud& normals, double leaf
   if (cloud.size() == 0) return out;
   const VoxelMoments voxels(cloud, VoxelLattice(cloud, leaf, 0));
   out.points.resize(voxels.keys.size());
-  for (std::size_t i = 0; i < voxels.keys.size(); ++i)
-    out.points.set(i, voxels.centroid(i).data());
+  for (std::size_t i = 0; i < voxels.keys.size(); ++i) out.points.set(i, voxels.centroid(i).data());
   out.normals = mean_normals(cloud, normals, static_cast<float>(leaf));
   return out;
 }

@@ -10,7 +10,8 @@
 namespace emtr {
 namespace {
 
-constexpr double kMinimumPoints = 3;  // a cube, on average; finer ones have no normals worth the name
+constexpr double kMinimumPoints =
+    3;  // a cube, on average; finer ones have no normals worth the name
 constexpr int kMaximumAttempts = 4;
 constexpr double kQueries = 5e4;  // nearest-neighbor queries of one refinement, about
 

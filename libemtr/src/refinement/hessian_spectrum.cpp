@@ -30,9 +30,8 @@ HessianSpectrum hessian_spectrum(const NormalEquations& sums) {
     out.eigenvalues[k] = std::max(0.0, solver.eigenvalues()[k]);
     for (int i = 0; i < 6; ++i) out.eigenvectors[k][i] = solver.eigenvectors()(i, k);
   }
-  out.unconstrained =
-      static_cast<int>(std::count_if(out.eigenvalues, out.eigenvalues + 6,
-                                     [](double v) { return v < kUnconstrainedEigenvalue; }));
+  out.unconstrained = static_cast<int>(std::count_if(
+      out.eigenvalues, out.eigenvalues + 6, [](double v) { return v < kUnconstrainedEigenvalue; }));
   return out;
 }
 

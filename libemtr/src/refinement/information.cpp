@@ -4,8 +4,7 @@
 
 namespace emtr {
 
-void information(const LocalRefinementResult& refined, double design_effect,
-                 double matrix[36]) {
+void information(const LocalRefinementResult& refined, double design_effect, double matrix[36]) {
   const NormalEquations& s = refined.sums;
   std::fill_n(matrix, 36, 0.0);
   if (!(s.weights > 0 && s.squared_influence > 0 && s.slopes > 0)) return;

@@ -12,7 +12,6 @@ namespace emtr {
 /// noise that is independent from point to point and nothing else: not what two scanners see
 /// differently, not a wrong match, and along unconstrained directions it is as good as zero (see
 /// hessian_spectrum()). All zeros when the refinement had too few inliers.
-void information(const LocalRefinementResult& refined, double design_effect,
-                 double matrix[36]);
+void information(const LocalRefinementResult& refined, double design_effect, double matrix[36]);
 
 }  // namespace emtr

@@ -38,7 +38,8 @@ struct LocalRefinementResult {
 /// not depend on the threads. The neighbors and the kernels must outlive it.
 class LocalRefinement {
  public:
-  /// Working memory of one call at a time; keep one a thread, so that only the first call allocates.
+  /// Working memory of one call at a time; keep one a thread, so that only the first call
+  /// allocates.
   struct Scratch {
     std::vector<float> x, y, z, squared;
     std::vector<std::int32_t> index;

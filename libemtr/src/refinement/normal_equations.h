@@ -5,17 +5,18 @@
 namespace emtr {
 
 /// Sums over the matched pairs of one pose. The small motion x that they refer to is a rotation
-/// vector (radians) and then a translation, both on the left in the target's frame about its origin:
-/// y <- exp(x[0..2]) y + x[3..5]. Symmetric matrices are kept as the rows of their upper triangle.
+/// vector (radians) and then a translation, both on the left in the target's frame about its
+/// origin: y <- exp(x[0..2]) y + x[3..5]. Symmetric matrices are kept as the rows of their upper
+/// triangle.
 struct NormalEquations {
-  double H[21] = {};         ///< sum of w J J^T over the residuals e along the pairs' normals
-  double g[6] = {};          ///< sum of w e J, and of the other differences' share in it
-  double tangents[10] = {};  ///< of the weak pull in all directions: sums of w, w y, w y y^T
-  double weights = 0;        ///< sum of w
-  double squares = 0;        ///< sum of w e^2
+  double H[21] = {};             ///< sum of w J J^T over the residuals e along the pairs' normals
+  double g[6] = {};              ///< sum of w e J, and of the other differences' share in it
+  double tangents[10] = {};      ///< of the weak pull in all directions: sums of w, w y, w y y^T
+  double weights = 0;            ///< sum of w
+  double squares = 0;            ///< sum of w e^2
   double squared_influence = 0;  ///< sum of (w e)^2
-  double slopes = 0;             ///< sum of d(w e)/de, what is left of w where the M-estimator bends
-  double inliers = 0;        ///< how many pairs have a weight above zero
+  double slopes = 0;   ///< sum of d(w e)/de, what is left of w where the M-estimator bends
+  double inliers = 0;  ///< how many pairs have a weight above zero
 
   /// Adds a residual e with its derivative J and weight w.
   void add_normal(const double J[6], double e, double w) {

@@ -17,8 +17,8 @@ struct Refined {
   int unconstrained = 0;  ///< directions that neither the surfaces constrain nor the prior
 };
 
-/// Refines the best pose and measures how well it is constrained. `prior`: admits the start, and the
-/// result too; or null.
+/// Refines the best pose and measures how well it is constrained. `prior`: admits the start, and
+/// the result too; or null.
 Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& settings,
                const Kernels& kernels, const Prior* prior);
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "util/error.h"
 #include "neighbors/nearest_point.h"
 #include "preprocessing/cloud_reader.h"
+#include "util/error.h"
 #include "util/thread_team.h"
 
 namespace emtr {
@@ -105,7 +105,8 @@ void residuals(const emtr_cloud& source, const emtr_cloud& target, const Rigid& 
                double* source_residuals, double* target_residuals) {
   const CloudReader from(source, "source cloud"), to(target, "target cloud");
   if (source_residuals) one_way(from, to, "target cloud", pose, threads, source_residuals);
-  if (target_residuals) one_way(to, from, "source cloud", pose.inverse(), threads, target_residuals);
+  if (target_residuals)
+    one_way(to, from, "source cloud", pose.inverse(), threads, target_residuals);
 }
 
 }  // namespace emtr

@@ -18,15 +18,16 @@ double inlier_ratio(const std::vector<float>& squared, double scale) {
   return static_cast<double>(inliers) / static_cast<double>(squared.size());
 }
 
-/// Returns the mean dense fitness of the best pose that is a different answer; 1, the worst there is,
-/// when the swarm remembers no other.
+/// Returns the mean dense fitness of the best pose that is a different answer; 1, the worst there
+/// is, when the swarm remembers no other.
 double best_alternative(const Evolution& evolution, const Rigid& best, const TaskAlpha& alpha) {
   TaskAlpha::Scratch scratch;
   double fitness = alpha.worst(EMTR_STAGE_DENSE);
   for (const Hypothesis& h : evolution.hypotheses) {
     if (is_same_pose(h.pose, best, kDistinctPose)) continue;
     const bool known = evolution.stage == EMTR_STAGE_DENSE;
-    fitness = std::min(fitness, known ? h.fitness : alpha.evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
+    fitness =
+        std::min(fitness, known ? h.fitness : alpha.evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
   }
   return fitness / alpha.worst(EMTR_STAGE_DENSE);
 }
@@ -46,7 +47,7 @@ Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& al
   // After a stop nobody waits for fitness that is not known yet.
   const bool known = !evolution.hypotheses.empty() && evolution.stage == EMTR_STAGE_DENSE;
   v.fitness_gap = known || !evolution.stopped ? best_alternative(evolution, pose, alpha) - v.fitness
-                                           : std::numeric_limits<double>::quiet_NaN();
+                                              : std::numeric_limits<double>::quiet_NaN();
 
   if (evolution.stopped)
     v.reason = EMTR_REASON_INTERRUPTED;
