@@ -7,13 +7,10 @@
 namespace emtr {
 
 // The settings that are a choice are plain integers in the C struct; the engine compares them with
-// these names only: `settings.fallback_search == FallbackSearch::Always`.
+// these names only: `settings.fallback_search == When::Always`.
 
 /// When to use what a setting can switch off.
 enum class When : std::int32_t { Off = EMTR_OFF, Auto = EMTR_AUTO, Always = EMTR_ALWAYS };
-using FallbackSearch = When;
-using RotationVectorSteps = When;
-using ArcTransfer = When;
 
 /// Which structure answers the nearest-neighbor queries; all give the same bits.
 enum class NeighborStructure : std::int32_t {
