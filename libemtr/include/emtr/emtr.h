@@ -125,10 +125,6 @@ typedef struct emtr_settings {
    * by Euler angles: 0 off, 1 where no particle starts at a seed, 2 always. Where a prior limits
    * the rotation the genes are made for that, and step as they are */
   int32_t rotation_vector_steps;
-  /* where no particle starts at a seed, after so many iterations without a better best of task
-   * alpha, particles of both swarms are drawn anew; 0: never */
-  int32_t restart_after;
-  double restart_share; /* of each swarm, those with the worst bests */
 
   /* knowledge transfer and complement (Algorithm 2) */
   int32_t transfer;            /* 0: the tasks do not talk (ablation) */
@@ -304,13 +300,17 @@ typedef struct emtr_cloud {
 /* ---- progress ----------------------------------------------------------------------- */
 
 typedef struct emtr_progress {
-  const char* stage;  /* "frame", "densities", "features", "matching", "seeds", "evolution",
-                         "candidates", "fallback search", "refinement", "verdict" */
+  const char* stage;  /* one of emtr_stage_name() */
   int32_t iteration;  /* done, in "evolution"; else 0 */
   int32_t iterations; /* in all */
   double best_alpha;  /* fitness of gbest of task alpha, lower is better */
   double best_beta;
 } emtr_progress;
+
+/* Returns the name of a stage, in the order in which they run: "normalization", "downsampling",
+ * "features", "matching", "seeds", "evolution", "candidates", "fallback_search", "refinement",
+ * "verdict". Null past the last. */
+EMTR_API const char* emtr_stage_name(size_t index);
 
 /* Called on the calling thread: before each stage, after each iteration, and again with the same
  * progress about every 20 ms while a stage lasts, however long. Non-zero stops the run within 100
@@ -452,6 +452,41 @@ typedef struct emtr_result {
 } emtr_result;
 
 EMTR_API void emtr_result_free(emtr_result* result);
+
+typedef enum emtr_field_type {
+  EMTR_FIELD_REAL = 0,       /* double */
+  EMTR_FIELD_INT32 = 1,      /* int32_t */
+  EMTR_FIELD_SWITCH = 2,     /* int32_t, 0 or 1 */
+  EMTR_FIELD_SIZE = 3,       /* size_t */
+  EMTR_FIELD_UINT64 = 4,     /* uint64_t */
+  EMTR_FIELD_TEXT = 5,       /* const char* */
+  EMTR_FIELD_REASON = 6,     /* emtr_reason, named by emtr_reason_name() */
+  EMTR_FIELD_ALTERNATIVE = 7 /* emtr_alternative */
+} emtr_field_type;
+
+/* Describes a field of emtr_result, so that a program can read all of them without knowing their
+ * names. The values lie `offset` bytes from the beginning of the result, row by row. Where
+ * `columns` is 0 a pointer lies there instead, to one row whose length is the size_t that lies
+ * `count_offset` bytes from the beginning. */
+typedef struct emtr_result_field_info {
+  const char* name;  /* in emtr_result */
+  const char* group; /* where a report puts it: "quality", "refinement", "counts", "queries",
+                        "normalization", "seconds", "history"; "" for the report itself */
+  const char* key;   /* its name within the group */
+  emtr_field_type type;
+  size_t offset;
+  size_t rows; /* 1 for a single value and for a vector */
+  size_t columns;
+  size_t count_offset; /* 0 unless columns is 0 */
+  const char* unit;    /* "" where it has none */
+  const char* text;    /* one line */
+} emtr_result_field_info;
+
+/* The fields in the order in which a report shows them: all but `size` and `alternative_count`.
+ * `size` as for emtr_setting_describe(). */
+EMTR_API size_t emtr_result_field_count(void);
+EMTR_API emtr_status emtr_result_field_describe(size_t index, emtr_result_field_info* info,
+                                                size_t size);
 
 /* Registers source to target. `settings` null: preset "default". `progress` may be null.
  * On EMTR_OK *result is new and to be freed, whether registered or not; on an error it is

@@ -13,20 +13,20 @@ using emtr::required;
 extern "C" {
 
 emtr_status emtr_preprocess(const emtr_cloud* cloud, const char* name, int32_t threads,
-                         emtr_preprocessed** preprocessed) {
+                            emtr_preprocessed** preprocessed) {
   return guarded([&] {
-    required(preprocessed, "prepared") = nullptr;
+    required(preprocessed, "preprocessed") = nullptr;
     *preprocessed = new emtr_preprocessed{std::make_shared<const emtr::PreprocessedCloud>(
-        required(cloud, "cloud"), name ? name : "", emtr::given_threads(threads))};
+        required(cloud, "cloud"), name ? name : "", emtr::checked_threads(threads))};
   });
 }
 
 void emtr_preprocessed_free(emtr_preprocessed* preprocessed) { delete preprocessed; }
 
-emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed, emtr_preprocessed_info* info,
-                                   size_t size) {
+emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed,
+                                       emtr_preprocessed_info* info, size_t size) {
   return guarded([&] {
-    const emtr::PreprocessedCloud& cloud = *required(preprocessed, "prepared").cloud;
+    const emtr::PreprocessedCloud& cloud = *required(preprocessed, "preprocessed").cloud;
     emtr_preprocessed_info out{};
     out.points = cloud.count;
     out.dropped = cloud.dropped;
@@ -36,7 +36,7 @@ emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed, em
     out.normals = cloud.normals.size() != 0;
     out.described = cloud.described.rows.size();
     out.feature_dimension = cloud.described.dimension;
-    emtr::hand_out(out, info, size);
+    emtr::copy_info(out, info, size);
   });
 }
 

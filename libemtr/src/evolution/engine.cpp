@@ -5,7 +5,6 @@
 
 #include "util/thread_team.h"
 #include "evolution/knowledge_transfer.h"
-#include "evolution/restarts.h"
 
 namespace emtr {
 namespace {
@@ -29,7 +28,6 @@ class Engine {
         poses_(space_.pose_genes(), settings, Stream::Alpha, steps(settings, space_, seeded)),
         rotations_(space_.rotation_genes(), settings, Stream::Beta,
                    steps(settings, space_, seeded)),
-        restarts_(seeded ? 0 : settings.restart_after, settings.restart_share),
         scratch_(threads),
         stage_(settings.sparse_to_dense ? EMTR_STAGE_SPARSE : EMTR_STAGE_DENSE) {}
 
@@ -56,7 +54,6 @@ class Engine {
         out_.history_alpha.push_back(poses_.gbest_fitness());
         out_.history_beta.push_back(rotations_.gbest_fitness());
         move(it);
-        restarts_.after(it, poses_, rotations_);
         out_.stopped = on_iteration(it + 1, poses_.gbest_fitness(), rotations_.gbest_fitness());
       }
     } catch (const Cancelled&) {  // in the midst of an iteration: the pbests are those before it
@@ -85,30 +82,24 @@ class Engine {
   }
 
   void remember() {
+    out_.best = poses_.gbest();
     for (std::size_t i = 0; i < poses_.size(); ++i) {
-      if (poses_.best_fitness(i) == HUGE_VAL) continue;  // drawn anew, and not evaluated since
-      if (i == poses_.gbest()) out_.best = out_.hypotheses.size();
       out_.hypotheses.push_back({space_.pose(poses_.best_position(i)), poses_.best_fitness(i)});
     }
-    for (const Restarts::Left& left : restarts_.left())
-      out_.hypotheses.push_back({space_.pose(left.position.data()), left.fitness});
   }
 
   /// Lines 22-26: the pbests are scored anew; the positions are in this iteration's evaluation
   /// anyway, and update_bests() then makes each pbest the better of the two.
   void become_dense() {
     const std::size_t n = poses_.size();
-    auto& left = restarts_.left();
     std::vector<double> fitness(n);
-    team_.parallel(n + left.size(), [&](std::size_t i, std::size_t thread) {
-      const double* genes = i < n ? poses_.best_position(i) : left[i - n].position.data();
-      (i < n ? fitness[i] : left[i - n].fitness) =
-          alpha_.evaluate(EMTR_STAGE_DENSE, space_.pose(genes), scratch_[thread]);
+    team_.parallel(n, [&](std::size_t i, std::size_t thread) {
+      fitness[i] =
+          alpha_.evaluate(EMTR_STAGE_DENSE, space_.pose(poses_.best_position(i)), scratch_[thread]);
     });
     stage_ = EMTR_STAGE_DENSE;
     poses_.set_best_fitness(fitness);
-    restarts_.objective_changed();
-    out_.queries_switch += (n + left.size()) * alpha_.queries(stage_);
+    out_.queries_switch += n * alpha_.queries(stage_);
   }
 
   void move(int it) {
@@ -132,7 +123,6 @@ class Engine {
   const SearchSpace space_;
   KnowledgeTransfer transfer_;
   Swarm poses_, rotations_;
-  Restarts restarts_;
   std::vector<TaskAlpha::Scratch> scratch_;
   emtr_stage stage_;
   bool beta_changed_ = false;  // since the complement was last worked out

@@ -27,17 +27,17 @@ Swarm::Swarm(std::vector<Gene> genes, const Settings& settings, Stream stream, R
   velocity_.resize(population * dimensions());
   fitness_.assign(population, HUGE_VAL);
   best_fitness_.assign(population, HUGE_VAL);
-  for (std::size_t i = 0; i < population; ++i) draw_particle(i, 0, 0);
+  for (std::size_t i = 0; i < population; ++i) draw_particle(i);
   best_position_ = position_;
 }
 
-void Swarm::draw_particle(std::size_t i, std::uint64_t iteration, std::size_t word) {
+void Swarm::draw_particle(std::size_t i) {
   const std::size_t d = dimensions();
   for (std::size_t k = 0; k < d; ++k) {
-    const auto words = draw(settings_.seed, iteration, stream_, i, k);
+    const auto words = draw(settings_.seed, 0, stream_, i, k);
     const double range = genes_[k].high - genes_[k].low;
-    position_[i * d + k] = genes_[k].low + range * uniform(words[word]);
-    velocity_[i * d + k] = velocity_limit(k) * (2 * uniform(words[word + 1]) - 1);
+    position_[i * d + k] = genes_[k].low + range * uniform(words[0]);
+    velocity_[i * d + k] = velocity_limit(k) * (2 * uniform(words[1]) - 1);
   }
 }
 
@@ -103,26 +103,6 @@ void Swarm::advance(double* x, double* v) const {
       v[k] = 0;
     }
   }
-}
-
-std::vector<std::size_t> Swarm::worst(double share) const {
-  std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < size(); ++i)
-    if (i != gbest_) out.push_back(i);
-  std::stable_sort(out.begin(), out.end(), [this](std::size_t a, std::size_t b) {
-    return best_fitness_[a] > best_fitness_[b];
-  });
-  const auto most = static_cast<std::size_t>(share * static_cast<double>(size()));
-  out.resize(std::min(out.size(), most));
-  return out;
-}
-
-void Swarm::restart(std::size_t i, int iteration) {
-  // The other two words of the block that its last step was made of.
-  draw_particle(i, static_cast<std::uint64_t>(iteration) + 1, 2);
-  const std::size_t d = dimensions();
-  std::copy_n(&position_[i * d], d, &best_position_[i * d]);
-  best_fitness_[i] = HUGE_VAL;
 }
 
 }  // namespace emtr

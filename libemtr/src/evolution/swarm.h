@@ -52,14 +52,8 @@ class Swarm {
   /// vectors v and both differences are rotation vectors, and the sum is exp(v) R(x).
   void move(int iteration, double inertia, const double* guide);
 
-  /// The particles with the worst pbests, `share` of all and never gbest, worst first.
-  std::vector<std::size_t> worst(double share) const;
-
-  /// Draws a particle's position and velocity anew; it has no pbest until it is evaluated.
-  void restart(std::size_t i, int iteration);
-
  private:
-  void draw_particle(std::size_t i, std::uint64_t iteration, std::size_t word);
+  void draw_particle(std::size_t i);
   double velocity_limit(std::size_t gene) const;
   void difference(const double* from, const double* to, double* out) const;
   void advance(double* position, double* velocity) const;

@@ -25,8 +25,8 @@ struct Features {
 
 /// Who computes the features; one definition.
 enum class FeatureBackend {
-  Pcl = 0,  ///< PCL's functions
-  Simd = 1  ///< the kernels: an entry of a histogram may lie on the other side of a bin's edge
+  Pcl = EMTR_FEATURES_PCL,   ///< PCL's functions
+  Simd = EMTR_FEATURES_SIMD  ///< the kernels: an entry of a histogram may lie on the other side of a bin's edge
 };
 
 /// Lengths in the normalized frame.

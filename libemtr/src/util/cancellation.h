@@ -6,6 +6,8 @@
 #include <chrono>
 #include <functional>
 
+#include "util/stage.h"
+
 namespace emtr {
 
 /// Tells the caller how far things are; true stops the run.
@@ -45,7 +47,7 @@ class CancellationToken {
   const Clock::duration every_;
   const Clock::time_point start_ = Clock::now();
   Clock::time_point asked_ = start_;
-  emtr_progress progress_ = {"normalization", 0, 0, 0, 0};
+  emtr_progress progress_ = {stage_name(Stage::Normalization), 0, 0, 0, 0};
   std::atomic<bool> stopped_{false};
   bool late_ = false;
 };

@@ -129,10 +129,10 @@ static void wrong_calls(void) {
   CHECK_ERROR(emtr_preprocess(&bad, "model", 0, &none), EMTR_ERROR_CLOUD, "model cloud: 9 finite");
   CHECK(none == NULL);
   CHECK_ERROR(emtr_preprocess(NULL, NULL, 0, &none), EMTR_ERROR_ARGUMENT, "cloud is null");
-  CHECK_ERROR(emtr_preprocess(&cloud, NULL, 0, NULL), EMTR_ERROR_ARGUMENT, "prepared is null");
+  CHECK_ERROR(emtr_preprocess(&cloud, NULL, 0, NULL), EMTR_ERROR_ARGUMENT, "preprocessed is null");
   CHECK_ERROR(emtr_preprocess(&cloud, NULL, -1, &none), EMTR_ERROR_SETTING, "threads");
   CHECK_ERROR(emtr_preprocessed_describe(NULL, &info, sizeof info), EMTR_ERROR_ARGUMENT,
-              "prepared is null");
+              "preprocessed is null");
   CHECK_ERROR(emtr_preprocessed_describe(good, NULL, sizeof info), EMTR_ERROR_ARGUMENT, "info is null");
   CHECK_ERROR(emtr_preprocessed_describe(good, &info, 8), EMTR_ERROR_ARGUMENT, "size is 8");
   CHECK_ERROR(emtr_register_preprocessed(NULL, good, NULL, NULL, NULL, &result), EMTR_ERROR_ARGUMENT,
