@@ -116,7 +116,8 @@ EXCEPTIONS = [
     Exception_("tools/bench/regress.json", "", "functions as they were called when measured"),
     Exception_("tests/python/*vocabulary.py", "", "lists the words"),
     Exception_("*", r"(?i)\bpools?\b.*(?:thread|OpenMP|fork|region|runtime)|"
-               r"(?:thread|OpenMP|fork|runtime).*\bpools?\b|(?i:openmp_?pool)", "OpenMP's pool of threads"),
+               r"(?:thread|OpenMP|fork|runtime).*\bpools?\b|(?i:openmp_?pool)",
+               "OpenMP's pool of threads"),
     Exception_("*.py", r"(?i)pool", "a pool of processes, or the allocator's"),
     Exception_("*", r"^\s*shift( \d+)?$", "the command of bash"),
     Exception_("*", r"\bshift\b.*(?:<<|>>)|(?:<<|>>).*\bshift\b|2\^shift|\[shift\]|int shift\)",
