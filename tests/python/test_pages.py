@@ -1,4 +1,4 @@
-"""Every snippet of the README runs as it stands there, and its table is the library's own."""
+"""Every snippet of the pages runs as it is there, links lead somewhere, tables are true."""
 
 from __future__ import annotations
 
@@ -9,18 +9,29 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pages
 import pytest
+from pages import PAGES, ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
-README = (ROOT / "README.md").read_text()
+README = ROOT / "README.md"
 BUILD = Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build"))
 
-SNIPPETS = re.findall(r"^```(\w+)\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
+SNIPPETS = [
+    (f"{pages.name(page)}-{number}", language, text)
+    for page in PAGES
+    for number, (language, text) in enumerate(pages.snippets(page), 1)
+]
 RUNNABLE = {"bash", "python", "cpp", "cmake", "c"}
 
 
-def snippets(language: str) -> list[str]:
-    return [text for name, text in SNIPPETS if name == language]
+def snippets(language: str) -> list[pytest.param]:
+    """The snippets of all pages in one language, each with its page's name and its number there."""
+    return [pytest.param(text, id=name) for name, one, text in SNIPPETS if one == language]
+
+
+def programs(language: str) -> set[str]:
+    """The different snippets of all pages in one language."""
+    return {text for _, one, text in SNIPPETS if one == language}
 
 
 def run(command: list[str], folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -59,7 +70,26 @@ def sample(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_every_language_is_accounted_for() -> None:
-    assert {name for name, _ in SNIPPETS} == RUNNABLE | {"text"}
+    assert {language for _, language, _ in SNIPPETS} == RUNNABLE | {"text"}
+
+
+def test_the_readme_begins_with_each_entry_point() -> None:
+    text = README.read_text()
+    assert text.count("\n") <= 250
+    assert {language for language, _ in pages.snippets(README)} == RUNNABLE | {"text"}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=pages.name)
+def test_links_lead_somewhere(page: Path) -> None:
+    broken = []
+    for link in re.findall(r"\]\(([^)\s]+)\)", pages.prose(page)):
+        if link.startswith("https://"):
+            continue
+        file, _, anchor = link.partition("#")
+        target = page.parent / file if file else page
+        if not target.exists() or (anchor and anchor not in pages.anchors(target)):
+            broken.append(link)
+    assert broken == []
 
 
 @pytest.mark.parametrize("snippet", snippets("python"))
@@ -75,7 +105,7 @@ def test_shell(snippet: str, prefix: Path, sample: Path) -> None:
 
 
 def test_class_and_cmake(prefix: Path, sample: Path, tmp_path: Path) -> None:
-    (program,), (link,) = snippets("cpp"), snippets("cmake")
+    (program,), (link,) = programs("cpp"), programs("cmake")
     (tmp_path / "main.cpp").write_text(program)
     (tmp_path / "CMakeLists.txt").write_text(
         "cmake_minimum_required(VERSION 3.18)\nproject(readme C CXX)\n"
@@ -105,7 +135,7 @@ def test_class_and_cmake(prefix: Path, sample: Path, tmp_path: Path) -> None:
 
 
 def test_c(prefix: Path, tmp_path: Path) -> None:
-    (program,) = snippets("c")
+    (program,) = programs("c")
     (tmp_path / "main.c").write_text(program)
     pkgconfig = next(prefix.rglob("emtr.pc")).parent
     flags = run(
@@ -118,5 +148,17 @@ def test_c(prefix: Path, tmp_path: Path) -> None:
 
 def test_settings_table() -> None:
     printed = run([sys.executable, str(ROOT / "tools" / "settings_table.py")], ROOT).stdout
-    table = README.split("<!-- settings: begin -->\n")[1].split("<!-- settings: end -->")[0]
+    table = pages.marked(ROOT / "docs" / "SETTINGS.md", "settings")
     assert table == printed, "run tools/settings_table.py --write"
+
+
+def test_result_page_has_every_field() -> None:
+    header = (ROOT / "libemtr" / "include" / "emtr" / "emtr.h").read_text()
+    struct = re.search(r"typedef struct emtr_result \{(.*?)\} emtr_result;", header, re.DOTALL)
+    assert struct is not None
+    code = re.sub(r"/\*.*?\*/", "", struct[1], flags=re.DOTALL)
+    declared = re.findall(r"(\w+)(?:\[\d+\])?;", code)
+    table = pages.marked(ROOT / "docs" / "RESULT.md", "fields")
+    told = re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE)
+    assert len(told) == len(set(told))
+    assert set(told) == set(declared) - {"size", "alternative_count"}
