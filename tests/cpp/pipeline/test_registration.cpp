@@ -293,9 +293,9 @@ struct Symmetric {
       source.insert(source.end(), {a.x[i], a.y[i], a.z[i]});
     for (std::size_t i = 0; i < b.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k)
-        target.push_back(static_cast<float>(pose.R[3 * k] * double{b.x[i]} +
-                                            pose.R[3 * k + 1] * double{b.y[i]} +
-                                            pose.R[3 * k + 2] * double{b.z[i]} + pose.t[k]));
+        target.push_back(static_cast<float>(pose.R(k, 0) * double{b.x[i]} +
+                                            pose.R(k, 1) * double{b.y[i]} +
+                                            pose.R(k, 2) * double{b.z[i]} + pose.t[k]));
   }
   ResultPtr solve(const Settings& settings) const {
     return ::solve({source.data(), source.size() / 3, 0, EMTR_FLOAT32},

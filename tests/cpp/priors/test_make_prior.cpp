@@ -150,7 +150,7 @@ TEST(MakePrior, AGuessOfFewDigitsIsARotationToAllOfThem) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       double dot = 0;
-      for (int k = 0; k < 3; ++k) dot += pose.R[3 * i + k] * pose.R[3 * j + k];
+      for (int k = 0; k < 3; ++k) dot += pose.R(i, k) * pose.R(j, k);
       EXPECT_NEAR(dot, i == j, 1e-14);
     }
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(pose.R[i], s.guess[i / 3 * 4 + i % 3], 2e-4);

@@ -26,12 +26,11 @@ inline Vector point(const emtr::Cloud& cloud, std::size_t i) {
   return {double{cloud.x[i]}, double{cloud.y[i]}, double{cloud.z[i]}};
 }
 
-/// R v + t; a direction when `turn`.
-inline Vector carry(const emtr::Rigid& T, const Vector& v, bool turn = false) {
+/// Returns R v + t, or R v of a direction.
+inline Vector carry(const emtr::Rigid& T, const Vector& v, bool direction = false) {
+  const Eigen::Vector3d p = Eigen::Vector3d::Map(v.data());
   Vector out;
-  for (std::size_t a = 0; a < 3; ++a)
-    out[a] =
-        T.R[3 * a] * v[0] + T.R[3 * a + 1] * v[1] + T.R[3 * a + 2] * v[2] + (turn ? 0 : T.t[a]);
+  Eigen::Vector3d::Map(out.data()) = direction ? T.rotate(p) : T * p;
   return out;
 }
 
@@ -40,19 +39,6 @@ inline emtr::Surface moved(const emtr::Surface& surface, const emtr::Rigid& T) {
   out.leaf = surface.leaf;
   for (std::size_t i = 0; i < surface.points.size(); ++i)
     push(out, carry(T, point(surface.points, i)), carry(T, point(surface.normals, i), true));
-  return out;
-}
-
-/// a after b.
-inline emtr::Rigid compose(const emtr::Rigid& a, const emtr::Rigid& b) {
-  emtr::Rigid out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j)
-      out.R[3 * i + j] =
-          a.R[3 * i] * b.R[j] + a.R[3 * i + 1] * b.R[3 + j] + a.R[3 * i + 2] * b.R[6 + j];
-  }
-  const Vector t = carry(a, {b.t[0], b.t[1], b.t[2]});
-  for (std::size_t i = 0; i < 3; ++i) out.t[i] = t[i];
   return out;
 }
 

@@ -42,9 +42,9 @@ Candidate at(double degrees, double score, double shift = 0) {
 TEST(Confidence, TheGapIsToTheBestClearlyDifferentCandidate) {
   const Confidence s = estimate_confidence({at(0, 0.7), at(6, 0.65), at(0, 0.6, 0.1), at(40, 0.5), at(80, 0.4)});
   EXPECT_DOUBLE_EQ(s.gap, 0.7 - 0.5);
-  ASSERT_EQ(s.others.size(), 2u);
-  EXPECT_EQ(s.others[0].score, 0.5);
-  EXPECT_EQ(s.others[1].score, 0.4);
+  ASSERT_EQ(s.alternatives.size(), 2u);
+  EXPECT_EQ(s.alternatives[0].score, 0.5);
+  EXPECT_EQ(s.alternatives[1].score, 0.4);
 }
 
 TEST(Confidence, AShiftAloneMakesAnotherAnswerToo) {
@@ -54,7 +54,7 @@ TEST(Confidence, AShiftAloneMakesAnotherAnswerToo) {
 TEST(Confidence, WithoutOthersTheGapIsTheScore) {
   const Confidence s = estimate_confidence({at(0, 0.6), at(5, 0.5)});
   EXPECT_EQ(s.gap, 0.6);
-  EXPECT_TRUE(s.others.empty());
+  EXPECT_TRUE(s.alternatives.empty());
 }
 
 TEST(Confidence, OthersBelowNothingLeaveTheGapAtTheScore) {
@@ -66,12 +66,12 @@ TEST(Confidence, OthersAreDistinctBestFirstAndTenAtMost) {
   std::vector<Candidate> all;
   for (int i = 0; i < 60; ++i) all.push_back(at(6.0 * i, 0.7 - 0.01 * i));
   const Confidence s = estimate_confidence(all);
-  ASSERT_EQ(s.others.size(), 10u);
-  for (std::size_t i = 0; i < s.others.size(); ++i) {
-    EXPECT_FALSE(emtr::within(s.others[i].pose, all[0].pose, emtr::kDistinctPose));
+  ASSERT_EQ(s.alternatives.size(), 10u);
+  for (std::size_t i = 0; i < s.alternatives.size(); ++i) {
+    EXPECT_FALSE(emtr::is_same_pose(s.alternatives[i].pose, all[0].pose, emtr::kDistinctPose));
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_FALSE(emtr::within(s.others[i].pose, s.others[j].pose, emtr::kDistinctPose));
-      EXPECT_LE(s.others[i].score, s.others[j].score);
+      EXPECT_FALSE(emtr::is_same_pose(s.alternatives[i].pose, s.alternatives[j].pose, emtr::kDistinctPose));
+      EXPECT_LE(s.alternatives[i].score, s.alternatives[j].score);
     }
   }
 }
