@@ -15,7 +15,7 @@
 #include <stdint.h>
 
 #define EMTR_VERSION_MAJOR 0
-#define EMTR_VERSION_MINOR 1
+#define EMTR_VERSION_MINOR 2
 #define EMTR_VERSION_PATCH 0
 
 #if defined(_WIN32)

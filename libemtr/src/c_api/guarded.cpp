@@ -1,11 +1,11 @@
 #include "c_api/guarded.h"
 
-#include <cfenv>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "util/default_arithmetic.h"
 #include "util/error.h"
 
 namespace emtr {
@@ -27,22 +27,6 @@ void keep_message(const char* prefix, const char* text) noexcept {
     last_error = "out of memory";
   }
 }
-
-/// Sets the default floating-point environment while it lives: rounding to nearest, and denormals
-/// kept, whatever the user or a library built with -ffast-math has set.
-class DefaultArithmetic {
- public:
-  DefaultArithmetic() {
-    std::fegetenv(&callers_);
-    std::fesetenv(FE_DFL_ENV);
-  }
-  ~DefaultArithmetic() { std::fesetenv(&callers_); }
-  DefaultArithmetic(const DefaultArithmetic&) = delete;
-  DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
-
- private:
-  std::fenv_t callers_;
-};
 
 }  // namespace
 

@@ -102,8 +102,8 @@ class Description {
     for (std::size_t i = grid_.begin(cell); i < grid_.end(cell); ++i) {
       if (!has_normal(i)) continue;
       const auto [x, y, z] = point(i);
-      kernels_.pair_histograms(list, {x, y, z, normals_.x[i], normals_.y[i], normals_.z[i]},
-                               squared(definition_.feature_radius),
+      const SurfacePoint query = {{x, y, z}, {normals_.x[i], normals_.y[i], normals_.z[i]}};
+      kernels_.pair_histograms(list, query, squared(definition_.feature_radius),
                                &histograms_[kDescriptorRow * i]);
     }
   }

@@ -245,8 +245,8 @@ EMTR_INLINE void count_bins(const std::int32_t* bins, std::size_t n,
 
 void pair_histograms(const SurfaceView& list, const SurfacePoint& query, float squared_radius,
                      float* out) {
-  const Vector<kNative> point = vector_of<kNative>(query.x, query.y, query.z);
-  const Vector<kNative> normal = vector_of<kNative>(query.nx, query.ny, query.nz);
+  const Vector<kNative> point = vector_of<kNative>(query.p[0], query.p[1], query.p[2]);
+  const Vector<kNative> normal = vector_of<kNative>(query.n[0], query.n[1], query.n[2]);
   const Native radius = all<kNative>(squared_radius);
   std::uint32_t count[3][kBins] = {};
   NativeInts near = {};

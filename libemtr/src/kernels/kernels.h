@@ -48,13 +48,15 @@ struct PointsView {
   std::size_t size;
 };
 
-/// Points with their normals, or one of them.
+/// Points with their normals as a structure of arrays.
 struct SurfaceView {
   PointsView points;
   const float *nx, *ny, *nz;
 };
-struct SurfacePoint {
-  float x, y, z, nx, ny, nz;
+
+/// A point with its normal, beside each other in half a cache line.
+struct alignas(32) SurfacePoint {
+  float p[3], n[3];
 };
 
 /// Lists of neighbors for the descriptors are padded to a multiple of this with points so far

@@ -73,7 +73,7 @@ void fill_verdict(const Verdict& verdict, emtr_result& r) {
 
 void fill_alternatives(const Confidence& confidence, const Normalization& normalization,
                        Result& r) {
-  for (const Candidate& other : confidence.others) {
+  for (const Candidate& other : confidence.alternatives) {
     r.others.emplace_back();
     to_matrix(normalization.to_user(other.pose), r.others.back().transformation);
     r.others.back().score = other.score;
@@ -91,8 +91,8 @@ void fill_candidates(const Problem& problem, const Solution& found, Result& r) {
   r.surface_fit = best.fit.score;
   r.violation = best.violation;
   if (!found.confidence) return;  // stopped before the others were ranked
-  r.score_gap = found.confidence->gap;
-  r.confidence = found.confidence->confidence;
+  r.score_gap = found.confidence->score_gap;
+  r.confidence = found.confidence->probability;
   fill_alternatives(*found.confidence, problem.pair.normalization, r);
   if (found.stopped) return;
   const bool unconstrained = found.refined.unconstrained > 0 && found.refined.succeeded;
@@ -108,10 +108,10 @@ void fill_refinement(const Refined& refined, double scale, emtr_result& r) {
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
       r.information[6 * i + j] = refined.information[6 * i + j] / unit[(i >= 3) + (j >= 3)];
-  r.unconstrained_directions = refined.hessian_spectrum.free;
+  r.unconstrained_directions = refined.hessian_spectrum.unconstrained;
   for (int i = 0; i < 6; ++i) {
-    r.hessian_eigenvalues[i] = refined.hessian_spectrum.values[i];
-    std::copy_n(refined.hessian_spectrum.directions[i], 6, r.hessian_eigenvectors + 6 * i);
+    r.hessian_eigenvalues[i] = refined.hessian_spectrum.eigenvalues[i];
+    std::copy_n(refined.hessian_spectrum.eigenvectors[i], 6, r.hessian_eigenvectors + 6 * i);
   }
 }
 

@@ -84,7 +84,7 @@ void rank_candidates(const Problem& problem, Solution& found) {
 bool needs_fallback_search(const Problem& problem, const Solution& found) {
   const Settings& settings = problem.settings;
   return found.confidence && in_use(settings.fallback_search,
-                                    found.confidence->confidence < settings.fallback_confidence);
+                                    found.confidence->probability < settings.fallback_confidence);
 }
 
 void search_again(const Problem& problem, Solution& found) {
@@ -103,8 +103,8 @@ void measure_overlap(const Problem& problem, Solution& found) {
   const Overlap overlap = evaluate_overlap(problem.pair, surfaces, *found.pose, problem.kernels);
   // Without refinement the surfaces need not lie flush where the pose is right.
   if (found.refined.succeeded && found.confidence)
-    found.confidence->confidence =
-        lower_confidence(found.confidence->confidence,
+    found.confidence->probability =
+        lower_confidence(found.confidence->probability,
                          surface_mismatch(overlap, problem.pair, surfaces, problem.kernels));
   found.overlap = overlap;
 }

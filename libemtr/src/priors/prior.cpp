@@ -74,7 +74,7 @@ std::vector<Rigid> admissible(const std::vector<Rigid>& poses, const Prior* prio
   for (const Rigid& pose : poses) {
     check_cancelled();
     const Rigid inside = prior->project(pose);
-    if (within(pose, inside, kReach)) out.push_back(inside);
+    if (is_same_pose(pose, inside, kReach)) out.push_back(inside);
   }
   return out;
 }

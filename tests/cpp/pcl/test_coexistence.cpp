@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "support.h"
+#include "thread_sanitizer.h"
 
 namespace {
 
@@ -78,6 +79,7 @@ TEST(Coexistence, EachThreadOfAnOpenMPRegionMayRegister) {
 }
 
 TEST(Coexistence, AForkedChildRegistersAndEnds) {
+  if (emtr_test::kThreadSanitizer) GTEST_SKIP();
   const Pose before = by_c(sharedPair(), 1, 3);
   const pid_t child = fork();
   ASSERT_GE(child, 0);
