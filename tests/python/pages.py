@@ -35,9 +35,9 @@ def anchors(page: Path) -> set[str]:
 
 
 def paths(page: Path) -> list[str]:
-    """What stands in backticks and is the path of a file or folder."""
-    quoted = re.findall(r"`([^`\n]+)`", prose(page))
-    return [text for text in quoted if re.fullmatch(r"[\w.\-]+(/[\w.\-]+)+/?", text)]
+    """What stands in backticks and is a path, or a command line that begins with one."""
+    quoted = [text.split()[0] for text in re.findall(r"`([^`\n]+)`", prose(page)) if text.strip()]
+    return [text for text in quoted if "/" in text and re.fullmatch(r"\w[\w.\-/]*", text)]
 
 
 def marked(page: Path, mark: str) -> str:

@@ -30,11 +30,11 @@ emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed,
     emtr_preprocessed_info out{};
     out.points = cloud.count;
     out.dropped = cloud.dropped;
-    out.kept = cloud.base.size();
+    out.base_points = cloud.base.size();
     std::copy_n(cloud.center, 3, out.center);
     out.radius = cloud.radius;
     out.normals = cloud.normals.size() != 0;
-    out.described = cloud.described.rows.size();
+    out.keypoints = cloud.described.rows.size();
     out.feature_dimension = cloud.described.dimension;
     emtr::copy_info(out, info, size);
   });

@@ -9,6 +9,8 @@
 #include "pipeline/problem.h"
 #include "pipeline/result.h"
 #include "pipeline/solve.h"
+#include "settings/validation.h"
+#include "util/thread_team.h"
 
 using emtr::guarded;
 using emtr::InputCloud;
@@ -16,12 +18,29 @@ using emtr::required;
 
 namespace {
 
+/// Returns the settings with the number of threads resolved: inside its own parallel region a run
+/// can no longer ask OpenMP for it.
+emtr::Settings resolved_settings(const emtr_settings* settings) {
+  emtr::Settings chosen = emtr::settings_or_preset(settings);
+  emtr::validate(chosen);
+  chosen.threads = emtr::thread_count(chosen);
+  return chosen;
+}
+
+/// Registers in one parallel region: between two regions OpenMP would have its threads spin.
 emtr_result* run(InputCloud& source, InputCloud& target, const emtr_settings* settings,
                  emtr_progress_fn progress, void* user) {
-  const emtr::Settings chosen = emtr::settings_or_preset(settings);
+  const emtr::Settings chosen = resolved_settings(settings);
   emtr::CancellationToken token(emtr::progress_function(progress, user), chosen.time_limit);
-  const auto problem = emtr::make_problem(source, target, chosen, token);
-  return emtr::solve(*problem, token).release();
+  emtr::CancellationToken* const outer = emtr::CancellationScope::current();
+  const emtr::CancellationScope scope(&token);  // by which the stages find the region's team
+  emtr_result* result = nullptr;
+  emtr::ThreadTeam::with(chosen.threads, [&](emtr::ThreadTeam&) {
+    const emtr::CancellationScope between_stages(outer);  // a stopped run has its result to write
+    const auto problem = emtr::make_problem(source, target, chosen, token);
+    result = emtr::solve(*problem, token).release();
+  });
+  return result;
 }
 
 /// A cloud whose preprocessed form the user keeps, unless `slot` is null. Fills an empty slot with

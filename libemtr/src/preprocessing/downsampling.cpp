@@ -81,8 +81,7 @@ class Thinning {
         settings_(settings),
         // Both clouds are filtered at once where that is worth waking a thread for.
         threads_(pair.source.size() + pair.target.size() > 200000
-                     ? std::min(2, thread_count(settings))
-                     : 1),
+                     ? thread_count(settings) : 1),
         counters_{VoxelCounter(pair.source), VoxelCounter(pair.target)} {}
 
   void dense(DownsampledClouds& out) {
