@@ -21,7 +21,7 @@ Swarm::Swarm(std::vector<Gene> genes, const Settings& settings, Stream stream, R
     : genes_(std::move(genes)),
       settings_(settings),
       stream_(stream),
-      turning_(steps == RotationSteps::Vector ? 3 : 0) {
+      vector_genes_(steps == RotationSteps::Vector ? 3 : 0) {
   const auto population = static_cast<std::size_t>(settings.population);
   position_.resize(population * dimensions());
   velocity_.resize(population * dimensions());
@@ -42,8 +42,8 @@ void Swarm::draw_particle(std::size_t i) {
 }
 
 double Swarm::velocity_limit(std::size_t gene) const {
-  constexpr double turn = 2 * 3.14159265358979323846;
-  const double range = gene < turning_ ? turn : genes_[gene].high - genes_[gene].low;
+  constexpr double whole_rotation = 2 * 3.14159265358979323846;
+  const double range = gene < vector_genes_ ? whole_rotation : genes_[gene].high - genes_[gene].low;
   return settings_.velocity_limit * range;
 }
 
@@ -77,7 +77,7 @@ void Swarm::move(int iteration, double inertia, const double* guide) {
     difference(x, best_position(i), to_best.data());
     difference(x, guide, to_guide.data());
     for (std::size_t k = 0; k < d; ++k) {
-      // Iteration 0 of the counter was the initial population's.
+      // Iteration 0 of the counter drew the initial population.
       const auto word =
           draw(settings_.seed, static_cast<std::uint64_t>(iteration) + 1, stream_, i, k);
       v[k] = inertia * v[k] + settings_.cognitive * uniform(word[0]) * to_best[k] +
@@ -89,13 +89,13 @@ void Swarm::move(int iteration, double inertia, const double* guide) {
 }
 
 void Swarm::difference(const double* from, const double* to, double* out) const {
-  if (turning_) rotation_between(from, to, out);
-  for (std::size_t k = turning_; k < dimensions(); ++k) out[k] = to[k] - from[k];
+  if (vector_genes_) rotation_between(from, to, out);
+  for (std::size_t k = vector_genes_; k < dimensions(); ++k) out[k] = to[k] - from[k];
 }
 
 void Swarm::advance(double* x, double* v) const {
-  if (turning_) rotate_angles(x, v);
-  for (std::size_t k = turning_; k < dimensions(); ++k) {
+  if (vector_genes_) rotate_angles(x, v);
+  for (std::size_t k = vector_genes_; k < dimensions(); ++k) {
     const Gene& gene = genes_[k];
     x[k] += v[k];
     if (gene.wall && (x[k] < gene.low || x[k] > gene.high)) {

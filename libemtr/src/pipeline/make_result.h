@@ -8,8 +8,7 @@
 
 namespace emtr {
 
-/// Writes what is known of a problem and of its solution into a result, in the user's unit. What
-/// is not known is NaN.
+/// Writes a problem and its solution into a result, in the user's unit. Unknown values are NaN.
 std::unique_ptr<Result> make_result(const Problem& problem, const Solution& found);
 
 }  // namespace emtr

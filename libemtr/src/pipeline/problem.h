@@ -21,8 +21,8 @@
 
 namespace emtr {
 
-/// A pair of clouds on which poses can be searched: what each stage before the search has made, in
-/// the order of the stages. Members refer to each other, so a problem stays where it was made.
+/// A pair of clouds on which poses can be searched. Holds the results of the stages before the
+/// search, in their order. Members refer to each other, so a problem stays where it was made.
 struct Problem {
   Problem() = default;
   Problem(const Problem&) = delete;

@@ -90,11 +90,13 @@ const std::vector<emtr_result_field_info>& result_table() {
     FIELD(overlap_source, Real, "quality", "",
           "share of the source's points with a correspondence on the target's fine cloud, within "
           "leaf_fine; NaN when interrupted"),
-    FIELD(overlap_target, Real, "quality", "", "the same of the target's points"),
+    FIELD(overlap_target, Real, "quality", "",
+          "share of the target's points with a correspondence on the source's fine cloud"),
     FIELD(inlier_rmse, Real, "quality", "user's unit",
           "root mean square distance of these source points to their correspondences"),
     FIELD(inlier_rmse_plane, Real, "quality", "user's unit",
-          "the same to the tangent planes, which does not grow with the spacing of the points"),
+          "root mean square distance to the tangent planes there, which does not grow with the "
+          "spacing of the points"),
     FIELD(score, Real, "quality", "", "surface_fit - 2 violation, at most 1"),
     FIELD(surface_fit, Real, "quality", "",
           "how well the surfaces lie on each other, 0 to 1 (best)"),
@@ -104,7 +106,7 @@ const std::vector<emtr_result_field_info>& result_table() {
           "score minus that of the best clearly different candidate"),
 
     FIELD(used_fallback_search, Switch, "", "",
-          "whether it was searched again with more feature points"),
+          "whether a second search was made, with more feature points"),
     FIELD(refined, Switch, "", "", "whether the pose was refined on the fine clouds"),
     ROW(alternatives, Alternative, 1, offsetof(emtr_result, alternative_count), "", "alternatives",
         "", "clearly different poses, best first, at most 10"),
@@ -116,7 +118,8 @@ const std::vector<emtr_result_field_info>& result_table() {
           "eigenvalues of the Hessian, ascending, 0 for an unconstrained motion to about 1; NaN "
           "when not refined"),
     MATRIX(hessian_eigenvectors, 6, "refinement", "",
-           "their unit vectors, one a row: rotation at the surfaces' radius, then translation; "
+           "the eigenvectors, one a row, of unit length: rotation at the surfaces' radius, then "
+           "translation; "
            "NaN when not refined"),
     FIELD(unconstrained_directions, Integer, "refinement", "",
           "how many directions the surfaces leave unconstrained; -1 when not refined"),
@@ -136,14 +139,14 @@ const std::vector<emtr_result_field_info>& result_table() {
     FIELD(correspondences_found, Size, "counts", "matches", "feature matches found"),
     FIELD(tims, Size, "counts", "pairs", "pairs of matches made into TIMs, max_tims at most"),
     FIELD(tims_pruned, Size, "counts", "pairs",
-          "of these, those that are an inlier of no rotation and need no work"),
+          "TIMs among them that are an inlier of no rotation and need no work"),
     FIELD(seeds, Size, "counts", "poses", "poses that consistent matches gave"),
     FIELD(candidates, Size, "counts", "poses", "distinct poses ranked"),
     FIELD(iterations, Size, "counts", "iterations", "iterations of the evolution that were done"),
 
-    QUERIES(evaluation, "nearest-neighbor queries of the particles"),
-    QUERIES(switch, "of the pbests, evaluated again at the switch from sparse to dense"),
-    QUERIES(complement, "of the knowledge complement (Algorithm 2)"),
+    QUERIES(evaluation, "nearest-neighbor queries of the particles, the paper's cost"),
+    QUERIES(switch, "queries of the pbests, evaluated again at the switch from sparse to dense"),
+    QUERIES(complement, "queries of the knowledge complement (Algorithm 2)"),
 
     FIELD(normalization_scale, Real, "normalization", "user's unit",
           "the normalized frame is p' = (p - center) / normalization_scale"),

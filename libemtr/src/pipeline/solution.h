@@ -15,8 +15,7 @@
 
 namespace emtr {
 
-/// What the stages of the search have found so far. A run that is stopped has in it what was
-/// known by then.
+/// The findings of the search so far, also those of a run that was stopped.
 struct Solution {
   std::optional<Rigid> pose;  ///< the best so far, normalized frame
 

@@ -4,31 +4,31 @@
 
 #include "evolution/engine.h"
 #include "priors/make_prior.h"
-#include "pipeline/problem.h"
 #include "support/clouds.h"
+#include "support/problems.h"
 
 namespace {
 
 using emtr::Evolution;
 using emtr::Settings;
 
-emtr::Problem problem_with(const Settings& settings) {
+emtr_test::ProblemPtr problem_with(const Settings& settings) {
   const emtr_test::Pair pair(11, 5000);
-  return {pair.source(), pair.target(), settings, nullptr};
+  return emtr_test::problem_of(pair.source(), pair.target(), settings);
 }
 
 Evolution run(
-    const emtr::Problem& p, const Settings& settings,
+    const emtr_test::ProblemPtr& p, const Settings& settings,
     const emtr::OnIteration& on_iteration = [](int, double, double) { return false; }) {
-  return emtr::evolve(*p.alpha, *p.beta, *p.complement, settings, {}, on_iteration, nullptr);
+  return emtr::evolve(*p->alpha, *p->beta, *p->complement, settings, {}, on_iteration, nullptr);
 }
 
 class Engine : public testing::Test {
  protected:
   Settings settings = emtr::preset("paper");
-  emtr::Problem problem = problem_with(settings);
-  std::uint64_t sparse = problem.alpha->queries(EMTR_STAGE_SPARSE);
-  std::uint64_t dense = problem.alpha->queries(EMTR_STAGE_DENSE);
+  emtr_test::ProblemPtr problem = problem_with(settings);
+  std::uint64_t sparse = problem->alpha->queries(EMTR_STAGE_SPARSE);
+  std::uint64_t dense = problem->alpha->queries(EMTR_STAGE_DENSE);
 };
 
 TEST_F(Engine, LookUpsAreThePapersFormula) {
@@ -72,7 +72,7 @@ TEST_F(Engine, AfterTheSwitchEveryBestIsADenseFitness) {
   const Evolution e = run(problem, settings);
   EXPECT_EQ(e.stage, EMTR_STAGE_DENSE);
   for (const emtr::Hypothesis& h : e.hypotheses)
-    EXPECT_EQ(h.fitness, problem.alpha->evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
+    EXPECT_EQ(h.fitness, problem->alpha->evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
 }
 
 TEST_F(Engine, SameBitsForAnyThreads) {
@@ -121,9 +121,9 @@ TEST_F(Engine, AGuessIsOneHypothesis) {
   settings.iterations = 1;
   emtr::Rigid truth;
   const emtr_test::Pair pair(11, 5000);
-  truth = problem.normalization.to_normalized(emtr::from_matrix(pair.pose()));
+  truth = problem->pair.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   const Evolution e = emtr::evolve(
-      *problem.alpha, *problem.beta, *problem.complement, settings, {{truth}, {}},
+      *problem->alpha, *problem->beta, *problem->complement, settings, {{truth}, {}},
       [](int, double, double) { return false; }, nullptr);
   EXPECT_EQ(e.best, 0u);
   EXPECT_LT(emtr::rotation_distance(e.hypotheses[0].pose.R, truth.R), 1e-9);
@@ -134,11 +134,11 @@ class EngineSteps : public Engine {
   EngineSteps() {
     settings.iterations = 40;
     const emtr_test::Pair pair(11, 5000);
-    truth = problem.normalization.to_normalized(emtr::from_matrix(pair.pose()));
+    truth = problem->pair.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   }
   Evolution started(const emtr::Starts& starts) const {
     return emtr::evolve(
-        *problem.alpha, *problem.beta, *problem.complement, settings, starts,
+        *problem->alpha, *problem->beta, *problem->complement, settings, starts,
         [](int, double, double) { return false; }, nullptr);
   }
   void use(emtr_when when) { settings.rotation_vector_steps = settings.arc_transfer = when; }
@@ -209,10 +209,10 @@ TEST_F(EngineSteps, KeepToAPrior) {
         known.translation_maximum[a] = 0.3;
       }
     }
-    const auto prior = emtr::make_prior(known, problem.normalization);
+    const auto prior = emtr::make_prior(known, problem->pair.normalization);
     ASSERT_TRUE(prior);
     const Evolution e = emtr::evolve(
-        *problem.alpha, *problem.beta, *problem.complement, known, {},
+        *problem->alpha, *problem->beta, *problem->complement, known, {},
         [](int, double, double) { return false; }, prior.get());
     for (const emtr::Hypothesis& h : e.hypotheses) EXPECT_TRUE(prior->admits(h.pose)) << which;
   }

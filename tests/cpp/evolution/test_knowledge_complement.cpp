@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "evolution/knowledge_complement.h"
-#include "support/clouds.h"
 #include "geometry/euler.h"
+#include "support/clouds.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "evolution/knowledge_transfer.h"
-#include "support/clouds.h"
 #include "geometry/euler.h"
+#include "support/clouds.h"
 
 namespace {
 

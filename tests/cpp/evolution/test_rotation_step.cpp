@@ -5,9 +5,9 @@
 #include <random>
 
 #include "evolution/rotation_step.h"
+#include "geometry/euler.h"
 #include "geometry/rigid.h"
 #include "geometry/rotation_vector.h"
-#include "geometry/euler.h"
 
 namespace {
 

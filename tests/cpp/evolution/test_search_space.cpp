@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "evolution/search_space.h"
-#include "priors/random_priors.h"
 #include "geometry/euler.h"
+#include "priors/random_priors.h"
 
 namespace {
 
@@ -44,7 +44,8 @@ TEST(SearchSpace, GenesDecodeToAdmissiblePosesAndReachAllOfThem) {
     for (int k = 0; k < 20; ++k) {
       const emtr::Normalization normalization = any_frame(d, k % 2 ? 2 : 0);
       const Rigid inside = any_pose(d);
-      const auto prior = emtr::make_prior(limits_around(inside, normalization, which, d), normalization);
+      const auto prior =
+          emtr::make_prior(limits_around(inside, normalization, which, d), normalization);
       const SearchSpace space(bound, prior.get());
       const auto genes = space.pose_genes();
       for (int j = 0; j < 20; ++j) {

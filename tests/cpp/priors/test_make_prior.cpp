@@ -3,9 +3,10 @@
 #include <functional>
 #include <limits>
 
-#include "util/error.h"
 #include "priors/make_prior.h"
 #include "priors/random_priors.h"
+#include "settings/validation.h"
+#include "util/error.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "pipeline/problem.h"
 #include "support/clouds.h"
+#include "support/problems.h"
 #include "verdict/verdict.h"
 
 namespace {
@@ -11,21 +11,22 @@ namespace {
 class Verdict : public testing::Test {
  protected:
   emtr_test::Pair pair{21, 5000};
-  emtr::Problem problem{pair.source(), pair.target(), emtr::preset("paper"), nullptr};
-  emtr::Rigid truth = problem.normalization.to_normalized(emtr::from_matrix(pair.pose()));
+  emtr_test::ProblemPtr problem =
+      emtr_test::problem_of(pair.source(), pair.target(), emtr::preset("paper"));
+  emtr::Rigid truth = problem->pair.normalization.to_normalized(emtr::from_matrix(pair.pose()));
 
   emtr::Evolution with(std::vector<emtr::Rigid> poses) const {
     emtr::Evolution e;
     e.stage = EMTR_STAGE_DENSE;
     emtr::TaskAlpha::Scratch scratch;
     for (const auto& pose : poses)
-      e.hypotheses.push_back({pose, problem.alpha->evaluate(EMTR_STAGE_DENSE, pose, scratch)});
+      e.hypotheses.push_back({pose, problem->alpha->evaluate(EMTR_STAGE_DENSE, pose, scratch)});
     return e;
   }
 
   emtr::Verdict judge(const emtr::Evolution& e) const {
-    return emtr::judge(e, e.hypotheses[e.best].pose, *problem.alpha, problem.correspondences.size(),
-                       problem.settings);
+    return emtr::judge(e, e.hypotheses[e.best].pose, *problem->alpha,
+                       problem->correspondences.size(), problem->settings);
   }
 };
 
