@@ -71,7 +71,7 @@ inline std::vector<emtr::Rigid> anywhere(std::size_t n, std::uint64_t seed) {
 }
 
 inline bool same_bits(const emtr::Rigid& a, const emtr::Rigid& b) {
-  return std::equal(a.R, a.R + 9, b.R) && std::equal(a.t, a.t + 3, b.t);
+  return a.R == b.R && a.t == b.t;
 }
 
 }  // namespace emtr_test

@@ -72,9 +72,9 @@ inline emtr::Rigid motion(const Eigen::Vector3d& degrees, const Eigen::Vector3d&
   const double angle = degrees.norm();
   if (angle > 0) {
     const Eigen::AngleAxisd turn(angle * M_PI / 180, degrees / angle);
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out.R) = turn.toRotationMatrix();
+    out.R = turn.toRotationMatrix();
   }
-  Eigen::Vector3d::Map(out.t) = shift;
+  out.t = shift;
   return out;
 }
 
@@ -83,7 +83,7 @@ inline double degrees_between(const emtr::Rigid& a, const emtr::Rigid& b) {
 }
 
 inline double translation_between(const emtr::Rigid& a, const emtr::Rigid& b) {
-  return (Eigen::Vector3d::Map(a.t) - Eigen::Vector3d::Map(b.t)).norm();
+  return (a.t - b.t).norm();
 }
 
 }  // namespace emtr_test

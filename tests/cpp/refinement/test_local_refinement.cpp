@@ -41,10 +41,9 @@ struct Scans {
   Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
     const Rigid by = motion(degrees, shift);
     Rigid out;
-    using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    const Eigen::Map<const Rotation> R(by.R);
-    Eigen::Map<Rotation>(out.R) = R * Eigen::Map<const Rotation>(truth.R);
-    Eigen::Vector3d::Map(out.t) = R * Eigen::Vector3d::Map(truth.t) + shift;
+    const Eigen::Matrix3d& R = by.R;
+    out.R = R * truth.R;
+    out.t = R * truth.t + shift;
     return out;
   }
 };
@@ -73,7 +72,7 @@ TEST(LocalRefinement, FindsThePoseFromWhatTheSearchLeaves) {
   EXPECT_LT(out.rmse, 0.015 / 4);
   double T[16];
   emtr::to_matrix(out.pose, T);
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(out.pose.R);
+  const Eigen::Matrix3d& R = out.pose.R;
   EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
 }
 
@@ -140,8 +139,8 @@ TEST(LocalRefinement, OfAPlaneStaysWhereItIsFree) {
                           emtr::downsample_surface(emtr_test::plane(2, 20000, 0.001), 0.03), LocalRefinementSettings());
   const LocalRefinementResult out = refiner(motion({1, -1, 0}, {0.02, 0, 0.02}));
   EXPECT_NE(out.end, Termination::TooFewInliers);
-  EXPECT_NEAR(out.pose.R[8], 1, 1e-6);  // the plane lies in the other again
-  EXPECT_NEAR(out.pose.R[6] * 0 + out.pose.R[8] * 0.1 + out.pose.t[2], 0.1, 5e-4);
+  EXPECT_NEAR(out.pose.R(2, 2), 1, 1e-6);  // the plane lies in the other again
+  EXPECT_NEAR(out.pose.R(2, 0) * 0 + out.pose.R(2, 2) * 0.1 + out.pose.t[2], 0.1, 5e-4);
   EXPECT_LT(translation_between(out.pose, motion({0, 0, 0}, {0.02, 0, 0})), 0.02);
 }
 
@@ -193,8 +192,7 @@ struct Bumps {
   /// Settings with the axis that the true rotation turns about.
   emtr::Settings upright() const {
     emtr::Settings s = emtr::preset("default");
-    using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    const Eigen::AngleAxisd turn(Eigen::Matrix3d(Eigen::Map<const Rotation>(truth.R)));
+    const Eigen::AngleAxisd turn(truth.R);
     s.has_axis = 1;
     Eigen::Vector3d::Map(s.axis) = turn.axis();
     return s;

@@ -77,8 +77,8 @@ TEST(Refine, AHopelessStartIsGivenBack) {
   const emtr::Rigid start = r.off({0, 0, 0}, {3, 0, 0});  // nothing is near anything
   const Refined out = r.from(start);
   EXPECT_FALSE(out.succeeded);
-  EXPECT_TRUE(std::equal(start.R, start.R + 9, out.pose.R));
-  EXPECT_TRUE(std::equal(start.t, start.t + 3, out.pose.t));
+  EXPECT_TRUE(start.R == out.pose.R);
+  EXPECT_TRUE(start.t == out.pose.t);
 }
 
 TEST(Refine, NeverLeavesTheModeItStartedIn) {
@@ -91,8 +91,8 @@ TEST(Refine, NeverLeavesTheModeItStartedIn) {
     const Refined out = r.from(start);
     if (!out.succeeded) {
       ++failed;
-      EXPECT_TRUE(std::equal(start.R, start.R + 9, out.pose.R));
-      EXPECT_TRUE(std::equal(start.t, start.t + 3, out.pose.t));
+      EXPECT_TRUE(start.R == out.pose.R);
+      EXPECT_TRUE(start.t == out.pose.t);
     }
     EXPECT_LE(degrees_between(out.pose, start), 10);
     EXPECT_LE(translation_between(out.pose, start), 0.15);
@@ -138,8 +138,8 @@ TEST(Refine, IsTheSameBitsForAnyThreadsAndKernels) {
   const emtr::Rigid start = r.off({1, 0, 0}, {0, 0.01, 0});
   const Refined one = r.from(start);
   const auto expect_same = [&](const Refined& other, const char* what) {
-    EXPECT_TRUE(std::equal(one.pose.R, one.pose.R + 9, other.pose.R)) << what;
-    EXPECT_TRUE(std::equal(one.pose.t, one.pose.t + 3, other.pose.t)) << what;
+    EXPECT_TRUE(one.pose.R == other.pose.R) << what;
+    EXPECT_TRUE(one.pose.t == other.pose.t) << what;
     EXPECT_TRUE(std::equal(one.information, one.information + 36, other.information)) << what;
     EXPECT_EQ(one.rmse, other.rmse) << what;
     for (int i = 0; i < 6; ++i) EXPECT_EQ(one.hessian_spectrum.values[i], other.hessian_spectrum.values[i]) << what;

@@ -95,8 +95,8 @@ TEST(Overlap, IsTakenAtThePose) {
   for (std::size_t i = 0; i < source.size(); ++i) {
     const Eigen::Vector3d p(source.x[i], source.y[i], source.z[i]);
     const Eigen::Vector3d q =
-        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(back.R) * p +
-        Eigen::Vector3d::Map(back.t);
+        back.R * p +
+        back.t;
     source.x[i] = static_cast<float>(q.x());
     source.y[i] = static_cast<float>(q.y());
     source.z[i] = static_cast<float>(q.z());
