@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <algorithm>
 #include <vector>
 
 #include "geometry/rigid.h"
@@ -10,7 +9,7 @@
 #include "priors/prior.h"
 #include "refinement/local_refinement_settings.h"
 #include "refinement/normal_equations.h"
-#include "refinement/query_points.h"
+#include "refinement/surface_matcher.h"
 #include "util/thread_team.h"
 
 namespace emtr {
@@ -41,8 +40,7 @@ class LocalRefinement {
   /// Working memory of one call at a time; keep one a thread, so that only the first call
   /// allocates.
   struct Scratch {
-    std::vector<float> x, y, z, squared;
-    std::vector<std::int32_t> index;
+    SurfaceMatcher::Scratch matches;
     std::vector<NormalEquations> blocks;
   };
 
@@ -76,18 +74,13 @@ class LocalRefinement {
 
   LocalRefinementResult run(const Rigid& start, const Prior* prior, Scratch& scratch,
                             ThreadTeam& team) const;
-  void resize(Scratch& scratch) const;
   void accumulate(const State& at, Scratch& scratch, ThreadTeam& team,
                   LocalRefinementResult& out) const;
-  template <class Visit>
-  void for_each_match(const State& at, bool reversed, std::size_t begin, std::size_t end,
-                      std::size_t offset, Scratch& scratch, const Visit& visit) const;
+  double reach(const State& at) const { return std::max(at.scale, settings_.reach * leaf_); }
 
   const LocalRefinementSettings settings_;
   const double leaf_;
-  const QueryPoints source_, target_;
-  const Neighbors *near_source_, *near_target_;
-  const Kernels& kernels_;
+  const SurfaceMatcher matcher_;
 };
 
 }  // namespace emtr

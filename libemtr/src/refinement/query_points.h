@@ -17,7 +17,6 @@ class QueryPoints {
 
   std::size_t size() const { return rows_.size(); }
   std::size_t first() const { return first_; }  ///< how many make a thinned part of all
-  double leaf() const { return surface_->leaf; }
 
   /// Returns the positions of the queries begin to end.
   PointsView view(std::size_t begin, std::size_t end) const {

@@ -75,8 +75,8 @@ TEST(DescriptorKernels, CountEachPairInTheBinsOfItsAngles) {
         expected[11 + bin((a[1] + 1) / 2)] += share;
         expected[22 + bin((a[2] + 1) / 2)] += share;
       }
-      const emtr::SurfacePoint query = {cloud.x[i],   cloud.y[i],   cloud.z[i],
-                                        normals.x[i], normals.y[i], normals.z[i]};
+      const emtr::SurfacePoint query = {{cloud.x[i], cloud.y[i], cloud.z[i]},
+                                        {normals.x[i], normals.y[i], normals.z[i]}};
       std::vector<float> first(emtr::kDescriptorRow);
       emtr::kernels_at(0)->pair_histograms(list, query, radius, first.data());
       for (const Kernels* k : kernels_here()) {

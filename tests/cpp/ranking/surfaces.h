@@ -26,12 +26,10 @@ inline Vector point(const emtr::Cloud& cloud, std::size_t i) {
   return {double{cloud.x[i]}, double{cloud.y[i]}, double{cloud.z[i]}};
 }
 
-/// Returns R v + t, or R v of a direction.
+/// Returns R v + t; R v when `direction`.
 inline Vector carry(const emtr::Rigid& T, const Vector& v, bool direction = false) {
-  const Eigen::Vector3d p = Eigen::Vector3d::Map(v.data());
-  Vector out;
-  Eigen::Vector3d::Map(out.data()) = direction ? T.rotate(p) : T * p;
-  return out;
+  const Eigen::Vector3d p(v[0], v[1], v[2]), q = direction ? T.rotate(p) : T * p;
+  return {q[0], q[1], q[2]};
 }
 
 inline emtr::Surface moved(const emtr::Surface& surface, const emtr::Rigid& T) {
@@ -41,6 +39,9 @@ inline emtr::Surface moved(const emtr::Surface& surface, const emtr::Rigid& T) {
     push(out, carry(T, point(surface.points, i)), carry(T, point(surface.normals, i), true));
   return out;
 }
+
+/// Returns the motion that applies b and then a.
+inline emtr::Rigid compose(const emtr::Rigid& a, const emtr::Rigid& b) { return a * b; }
 
 /// A lumpy ball about the origin, radius 0.5 to 0.9, as a function of the direction: smooth, and
 /// without symmetry.

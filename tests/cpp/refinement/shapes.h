@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "geometry/cloud.h"
-#include "refinement/downsampled_surface.h"
 #include "geometry/rigid.h"
+#include "refinement/downsampled_surface.h"
 #include "support/bumpy_pair.h"
 #include "support/clouds.h"
 
@@ -66,7 +66,7 @@ inline emtr::Cloud cube(std::uint64_t seed, std::size_t n, double noise) {
   });
 }
 
-/// A small motion by its rotation vector in degrees and its shift.
+/// A small motion by its rotation vector in degrees and its translation.
 inline emtr::Rigid motion(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) {
   emtr::Rigid out;
   const double angle = degrees.norm();

@@ -35,7 +35,7 @@ TEST_F(Verdict, AcceptsTheTruth) {
   EXPECT_TRUE(v.registered);
   EXPECT_EQ(v.reason, EMTR_REASON_REGISTERED);
   EXPECT_GT(v.inlier_ratio_source, 0.6);
-  EXPECT_DOUBLE_EQ(v.fitness_gap, 1 - v.fitness);  // no other mode
+  EXPECT_DOUBLE_EQ(v.fitness_gap, 1 - v.fitness);  // no other answer
 }
 
 TEST_F(Verdict, RefusesAPoseThatExplainsLittle) {
@@ -54,7 +54,7 @@ TEST_F(Verdict, KnowsAnEquallyGoodOtherPose) {
   EXPECT_FALSE(v.registered);
   EXPECT_EQ(v.reason, EMTR_REASON_AMBIGUOUS);
 
-  e.hypotheses[1].pose.t[0] = truth.t[0] + 0.01;  // the same mode
+  e.hypotheses[1].pose.t[0] = truth.t[0] + 0.01;  // the same answer
   EXPECT_TRUE(judge(e).registered);
 }
 
