@@ -4,7 +4,15 @@
     if result.registered:
         moved = result.apply(source)           # in the target's frame
 
-Every transformation maps source into target, q = R p + t.
+Five calls are enough for most users:
+
+* :func:`register` finds the transformation that maps source into target.
+* :meth:`Result.apply` moves points by it.
+* :class:`Cloud` preprocesses a cloud once for many registrations.
+* :func:`residuals` measures the distance of each point to the other cloud.
+* :func:`settings` lists the keyword arguments that tune the method.
+
+Every transformation maps source into target, q = R p + t, in the clouds' own unit.
 """
 
 from . import _emtr
@@ -21,19 +29,19 @@ from .tasks import TaskAlpha, TaskBeta
 
 __version__: str = _emtr.version()
 
-__all__ = [
-    "Alternative",
-    "Cloud",
-    "Problem",
-    "Progress",
-    "Result",
-    "Setting",
-    "TaskAlpha",
-    "TaskBeta",
-    "__version__",
-    "kernel_name",
-    "presets",
+__all__ = [  # noqa: RUF022 - what everyone needs stands first
     "register",
+    "Result",
+    "Cloud",
     "residuals",
     "settings",
+    "presets",
+    "Setting",
+    "Alternative",
+    "Progress",
+    "Problem",
+    "TaskAlpha",
+    "TaskBeta",
+    "kernel_name",
+    "__version__",
 ]

@@ -1,7 +1,7 @@
 # cython: language_level=3, binding=True, embedsignature=False
-"""The C library, as directly as Python can hold it. Private: what users call is in the package.
+"""Binds the C library to Python as directly as can be. Private: users call the package.
 
-Arrays come and go by the buffer protocol, so the module is bound to no release of numpy.
+Arrays pass through the buffer protocol, so the module depends on no release of numpy.
 """
 cimport cython
 from pyemtr.c_emtr cimport *
@@ -15,20 +15,21 @@ include "cloud.pxi"
 include "progress.pxi"
 include "outcome.pxi"
 include "residuals.pxi"
-include "prepared.pxi"
+include "preprocessed.pxi"
 include "problem.pxi"
 
 
 def version():
-    """The library's version, "major.minor.patch"."""
+    """Returns the library's version as "major.minor.patch"."""
     return emtr_version().decode()
 
 
 def kernel_name():
-    """The instruction set of the inner loops: "generic", "avx2" or "avx512".
+    """Returns the instruction set of the inner loops: "generic", "avx2" or "avx512".
 
-    The fastest that the machine has, or what the variable EMTR_KERNEL asks for; results have the
-    same bits with each. Raises ValueError when EMTR_KERNEL asks for what cannot run here.
+    It is the fastest that the machine has, or the one that the environment variable EMTR_KERNEL
+    names. Results have the same bits with each. Raises ValueError when EMTR_KERNEL names one that
+    this machine cannot run.
     """
     cdef const char* name = emtr_kernel_name()
     if name is NULL:
@@ -37,9 +38,9 @@ def kernel_name():
 
 
 def register(source, target, Settings settings not None, callback):
-    """emtr_register_cached: two CloudBuffers, the fields of a result as a dict.
+    """Registers two clouds by emtr_register_cached(); returns a result's fields as a dict.
 
-    Either may be a Preprocessed.
+    Each cloud is a CloudBuffer or a Preprocessed.
     """
     cdef CloudBuffer a
     cdef CloudBuffer b
@@ -48,23 +49,23 @@ def register(source, target, Settings settings not None, callback):
     cdef emtr_result* result = NULL
     cdef emtr_status status
     cdef void* user = <void*>watch
-    cdef emtr_preprocessed* kept_a = NULL
-    cdef emtr_preprocessed* kept_b = NULL
+    cdef emtr_preprocessed* cached_a = NULL
+    cdef emtr_preprocessed* cached_b = NULL
     cdef const emtr_cloud* from_ = NULL
     cdef const emtr_cloud* to = NULL
     if isinstance(source, Preprocessed):
-        kept_a = (<Preprocessed>source).prepared
+        cached_a = (<Preprocessed>source).handle
     else:
         a = source
         from_ = &a.cloud
     if isinstance(target, Preprocessed):
-        kept_b = (<Preprocessed>target).prepared
+        cached_b = (<Preprocessed>target).handle
     else:
         b = target
         to = &b.cloud
-    # What is not prepared yet is no use to anyone afterwards.
-    cdef emtr_preprocessed** keep_a = NULL if kept_a == NULL else &kept_a
-    cdef emtr_preprocessed** keep_b = NULL if kept_b == NULL else &kept_b
+    # A null slot asks the library to keep nothing: nobody could use it after this call.
+    cdef emtr_preprocessed** slot_a = NULL if cached_a == NULL else &cached_a
+    cdef emtr_preprocessed** slot_b = NULL if cached_b == NULL else &cached_b
     with nogil:
-        status = emtr_register_cached(from_, keep_a, to, keep_b, chosen, on_progress, user, &result)
+        status = emtr_register_cached(from_, slot_a, to, slot_b, chosen, on_progress, user, &result)
     return finish(status, watch, result)

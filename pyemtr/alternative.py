@@ -1,4 +1,4 @@
-"""Another pose that two clouds could be in."""
+"""Another pose that may align the clouds."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from .arrays import Floats
 
 
 class Alternative(NamedTuple):
-    """A pose clearly different from the answer: over 10 degrees or 0.15 radii away.
+    """A pose clearly different from the answer: more than 10 degrees or 0.15 radii away.
 
     Attributes:
         transformation: float64 (4, 4), source into target, q = R p + t, in the user's unit.
-        score: as :attr:`pyemtr.Result.score`, and never more than the answer's.
+        score: as :attr:`pyemtr.Result.score`, at most the answer's.
     """
 
     transformation: Floats

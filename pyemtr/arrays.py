@@ -1,4 +1,4 @@
-"""What users hand over, as the arrays that the C library reads."""
+"""Converts user-provided values to the arrays that the C library reads."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Floats = NDArray[np.float64]
 
 
 def as_points(cloud: Any, name: str) -> NDArray[Any]:
-    """A cloud as float32 or float64 (N, 3), x y z side by side; the caller's memory if it can be.
+    """Returns a cloud as float32 or float64 (N, 3), contiguous rows, without a copy if possible.
 
     Takes arrays of any real dtype, byte order and strides, nested lists, and objects with
     ``.points``. Masked points become NaN, so that they are dropped and counted.
@@ -28,11 +28,11 @@ def as_points(cloud: Any, name: str) -> NDArray[Any]:
         raise ValueError(f"{name}: expected an array of shape (N, 3), got {array.shape}{hint}")
     if array.dtype not in (np.dtype(np.float32), np.dtype(np.float64)):
         array = array.astype(np.float32 if array.dtype == np.float16 else np.float64)
-    return _side_by_side(array)
+    return _contiguous_rows(array)
 
 
 def as_normals(normals: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
-    """Normals of points that :func:`as_points` made: of their type and number, (N, 3).
+    """Returns normals (N, 3) in the dtype of the points, which :func:`as_points` made.
 
     Raises:
         TypeError: not numbers, or not real ones.
@@ -43,11 +43,11 @@ def as_normals(normals: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
         raise ValueError(
             f"{name}: expected an array of shape ({len(points)}, 3), got {array.shape}"
         )
-    return _side_by_side(array.astype(points.dtype, copy=False))
+    return _contiguous_rows(array.astype(points.dtype, copy=False))
 
 
 def as_features(features: Any, name: str, points: NDArray[Any]) -> NDArray[np.float32]:
-    """Descriptors of points that :func:`as_points` made: float32 (N, D), D of 1 and more.
+    """Returns descriptors float32 (N, D), D >= 1, for points that :func:`as_points` made.
 
     Raises:
         TypeError: not numbers, or not real ones.
@@ -56,12 +56,12 @@ def as_features(features: Any, name: str, points: NDArray[Any]) -> NDArray[np.fl
     array = _rows(features, name, points)
     if array.shape[1] == 0:
         raise ValueError(f"{name}: expected at least one number a point, got {array.shape}")
-    with np.errstate(over="ignore"):  # an infinity: the point has none
-        return _side_by_side(array.astype(np.float32, copy=False))
+    with np.errstate(over="ignore"):  # to an infinity: the point then has no descriptor
+        return _contiguous_rows(array.astype(np.float32, copy=False))
 
 
 def as_correspondences(pairs: Any, name: str = "correspondences") -> NDArray[np.int32]:
-    """Pairs of rows as contiguous int32 (K, 2).
+    """Returns pairs of rows as contiguous int32 (K, 2).
 
     Raises:
         TypeError: not whole numbers.
@@ -83,7 +83,7 @@ def as_correspondences(pairs: Any, name: str = "correspondences") -> NDArray[np.
 
 
 def as_particles(particles: Any, genes: int) -> Floats:
-    """Particles as contiguous float64 (P, genes).
+    """Returns particles as contiguous float64 (P, genes).
 
     Raises:
         TypeError: not numbers, or not real ones.
@@ -93,17 +93,17 @@ def as_particles(particles: Any, genes: int) -> Floats:
 
 
 def as_vector(vector: Any, name: str, length: int) -> Floats:
-    """A vector as contiguous float64 (length,); raises as :func:`as_particles`."""
+    """Returns a vector as contiguous float64 (length,); raises as :func:`as_particles`."""
     return _shaped(vector, name, (length,))
 
 
 def as_bounds(bounds: Any, name: str) -> Floats:
-    """A lower and an upper corner as contiguous float64 (2, 3); raises as :func:`as_particles`."""
+    """Returns two opposite corners as contiguous float64 (2, 3); raises as :func:`as_particles`."""
     return _shaped(bounds, name, (2, 3))
 
 
 def as_transformation(matrix: Any, name: str) -> Floats:
-    """A 4x4 matrix as contiguous float64; raises as :func:`as_particles`."""
+    """Returns a 4x4 matrix as contiguous float64; raises as :func:`as_particles`."""
     return _shaped(matrix, name, (4, 4))
 
 
@@ -114,7 +114,7 @@ def _points_of(cloud: Any) -> Any:
 
 
 def _rows(values: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
-    """A row a point, of any real type."""
+    """Returns one row for each point, in any real dtype."""
     array = _real_array(values, name)
     if array.ndim != 2 or array.shape[0] != len(points):
         raise ValueError(
@@ -124,8 +124,8 @@ def _rows(values: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
-def _side_by_side(array: NDArray[Any]) -> NDArray[Any]:
-    """Rows that lie in memory one after another, whatever is between them; a copy if it must be."""
+def _contiguous_rows(array: NDArray[Any]) -> NDArray[Any]:
+    """Returns an array with contiguous rows in ascending order, without a copy if possible."""
     size = array.itemsize
     if array.strides[1] != size or array.strides[0] < array.shape[1] * size:
         array = np.ascontiguousarray(array)

@@ -1,4 +1,4 @@
-# emtr.h as Cython sees it; the header says what each thing means.
+# Declares emtr.h to Cython; the header says what each item means.
 from libc.stdint cimport int32_t, uint64_t
 
 cdef extern from "emtr/emtr.h" nogil:
@@ -121,7 +121,7 @@ cdef extern from "emtr/emtr.h" nogil:
         uint64_t seed
         int32_t threads
         const char* kernel
-        double confidence, score, fit, violation, score_gap
+        double confidence, score, surface_fit, violation, score_gap
         size_t seeds, candidates
         int32_t used_fallback_search, refined
         size_t alternative_count
@@ -142,8 +142,8 @@ cdef extern from "emtr/emtr.h" nogil:
         pass
 
     emtr_status emtr_preprocess(const emtr_cloud* cloud, const char* name, int32_t threads,
-                             emtr_preprocessed** prepared)
-    void emtr_preprocessed_free(emtr_preprocessed* prepared)
+                                emtr_preprocessed** preprocessed)
+    void emtr_preprocessed_free(emtr_preprocessed* preprocessed)
 
     ctypedef struct emtr_preprocessed_info:
         size_t points, dropped, base_points
@@ -152,12 +152,12 @@ cdef extern from "emtr/emtr.h" nogil:
         int32_t normals
         size_t keypoints, feature_dimension
 
-    emtr_status emtr_preprocessed_describe(const emtr_preprocessed* prepared, emtr_preprocessed_info* info,
-                                       size_t size)
+    emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed,
+                                           emtr_preprocessed_info* info, size_t size)
     emtr_status emtr_register_cached(const emtr_cloud* source, emtr_preprocessed** cached_source,
-                                   const emtr_cloud* target, emtr_preprocessed** cached_target,
-                                   const emtr_settings* settings, emtr_progress_fn progress,
-                                   void* user, emtr_result** result)
+                                     const emtr_cloud* target, emtr_preprocessed** cached_target,
+                                     const emtr_settings* settings, emtr_progress_fn progress,
+                                     void* user, emtr_result** result)
 
     ctypedef struct emtr_problem:
         pass
@@ -165,9 +165,9 @@ cdef extern from "emtr/emtr.h" nogil:
     emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* target,
                                     const emtr_settings* settings, emtr_problem** problem)
     emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* source,
-                                             const emtr_preprocessed* target,
-                                             const emtr_settings* settings,
-                                             emtr_problem** problem)
+                                                 const emtr_preprocessed* target,
+                                                 const emtr_settings* settings,
+                                                 emtr_problem** problem)
     void emtr_problem_free(emtr_problem* problem)
     emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress, void* user,
                                    emtr_result** result)

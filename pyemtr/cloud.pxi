@@ -1,9 +1,9 @@
-# numpy arrays seen as an emtr_cloud, without a copy.
+# Views numpy arrays as an emtr_cloud, without a copy.
 
 @cython.final
 cdef class Rows:
-    """Holds an array's memory for as long as it lives. The package has seen to the layout:
-    two-dimensional, float32 or float64, a row side by side, rows forward and not overlapping."""
+    """Keeps an array's memory alive. The package guarantees the layout: two-dimensional, float32 or
+    float64, each row contiguous, rows in ascending order without overlap."""
     cdef Py_buffer view
     cdef bint held
     cdef bint single
@@ -22,7 +22,7 @@ cdef class Rows:
             self.stride = packed
         elif self.view.strides[0] < packed or (
                 self.view.shape[1] > 1 and self.view.strides[1] != self.view.itemsize):
-            raise ValueError("an array with each row side by side is expected")
+            raise ValueError("an array with contiguous rows is expected")
         else:
             self.stride = self.view.strides[0]
 

@@ -1,4 +1,4 @@
-"""One cloud made ready for many registrations."""
+"""One cloud, preprocessed once for many registrations."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from .options import thread_setting
 
 
 class Cloud:
-    """Points read, measured and, when they are many, thinned: once, for any number of partners.
+    """Points that are read, measured and, above 200 000, downsampled: once for many registrations.
 
-    Stands in for an array wherever :func:`pyemtr.register`, :class:`pyemtr.Problem` and the tasks
-    take one, as source or as target, with the same bits as result::
+    :func:`pyemtr.register`, :class:`pyemtr.Problem` and the tasks take it in place of an array,
+    as source or as target, and give the same bits::
 
         model = pyemtr.Cloud(points)
         results = [pyemtr.register(scan, model) for scan in scans]
 
-    Never changes and keeps nothing of the caller's memory; threads may share one.
+    It never changes and does not refer to the caller's memory; threads may share it.
 
     Args:
         points: as :func:`pyemtr.register` takes them, (N, 3) in any unit.
-        normals: (N, 3) or None, as the ``source_normals`` of :func:`pyemtr.register`.
+        normals: (N, 3) or None, as ``source_normals`` of :func:`pyemtr.register`.
         features: (N, D) or None, as its ``source_features``.
-        keep_points: keeps all of more than 200 000 points, 12 bytes each, so that the cloud can be
-            registered with ``correspondences``; of a smaller cloud they are always kept.
+        keep_points: keep all points of a cloud of more than 200 000, 12 bytes each, so that it can
+            be registered with ``correspondences``. A smaller cloud always keeps them.
         threads: 0 for as many as OpenMP would use; the cloud does not depend on it.
 
     Raises:
@@ -53,57 +53,59 @@ class Cloud:
         self._info: dict[str, Any] = self._raw.describe()
 
     def __len__(self) -> int:
-        """How many finite points there are."""
+        """The number of finite points."""
         return int(self._info["points"])
 
     @property
     def dropped(self) -> int:
-        """How many points with a NaN or an infinity were left out."""
+        """The number of points dropped because of a NaN or an infinity."""
         return int(self._info["dropped"])
 
     @property
     def has_normals(self) -> bool:
-        """Whether normals were handed in."""
+        """Whether the user provided normals."""
         return bool(self._info["normals"])
 
     @property
-    def described(self) -> int:
-        """How many points have features that were handed in; of more than 200 000, how many are
-        left by a thinning."""
-        return int(self._info["described"])
+    def keypoints(self) -> int:
+        """The number of points with user-provided features; counted after downsampling when the
+        cloud has more than 200 000 points."""
+        return int(self._info["keypoints"])
 
     @property
     def center(self) -> Floats:
-        """Centroid of the finite points: float64 (3,), in their unit."""
+        """The centroid of the finite points: float64 (3,), in their unit."""
         return np.array(self._info["center"], dtype=np.float64)
 
     @property
     def radius(self) -> float:
-        """Largest distance of a point from the centroid, in their unit."""
+        """The largest distance of a point from the centroid, in their unit."""
         return float(self._info["radius"])
 
     def __repr__(self) -> str:
         dropped = f", {self.dropped} dropped" if self.dropped else ""
         normals = ", normals" if self.has_normals else ""
-        features = f", {self.described} features of {self._info['feature_dimension']}"
+        features = f", {self.keypoints} features of {self._info['feature_dimension']}"
         return (
             f"<pyemtr.Cloud: {len(self)} points{dropped}{normals}"
-            f"{features if self.described else ''}, radius {self.radius:.6g}>"
+            f"{features if self.keypoints else ''}, radius {self.radius:.6g}>"
         )
 
 
 def as_cloud(
     cloud: Any, name: str, normals: Any = None, features: Any = None, keep_points: bool = False
 ) -> _emtr.CloudBuffer | _emtr.Preprocessed:
-    """What the C library reads: a prepared cloud, or points as :func:`as_points` makes them, with
-    what belongs to them."""
+    """Returns what the C library reads: a preprocessed cloud, or points with their normals and
+    features. Raises TypeError when a :class:`Cloud` comes with normals or features beside it."""
     if not isinstance(cloud, Cloud):
         return _buffer(
             cloud, name, normals, f"{name}_normals", features, f"{name}_features", keep_points
         )
     for given, what in ((normals, "normals"), (features, "features")):
         if given is not None:
-            raise TypeError(f"{name}_{what}: a pyemtr.Cloud brings its own; give them to it")
+            raise TypeError(
+                f"{name}_{what}: a pyemtr.Cloud has its own; give them to pyemtr.Cloud()"
+            )
     return cloud._raw
 
 

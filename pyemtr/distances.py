@@ -1,4 +1,4 @@
-"""How far the points of one cloud are from the other."""
+"""Distances of one cloud's points to the other cloud."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from .options import thread_setting
 def residuals(
     source: Any, target: Any, transformation: Any = None, *, of: str = "source", threads: int = 0
 ) -> Floats:
-    """The distance of each point to the nearest point of the other cloud.
+    """Returns the distance of each point to the nearest point of the other cloud.
 
     Args:
-        source: points (N, 3) as :func:`pyemtr.register` takes them; no :class:`pyemtr.Cloud`,
-            which has not kept its points.
-        target: likewise, (M, 3).
-        transformation: (4, 4), source into target, q = R p + t, in the clouds' unit; None when the
-            source lies where it belongs.
-        of: "source" for the distances of the moved source points to the target, "target" for those
-            of the target's points to the moved source.
+        source: points (N, 3) as :func:`pyemtr.register` takes them, but no
+            :class:`pyemtr.Cloud`, which does not keep its points.
+        target: points (M, 3), likewise.
+        transformation: (4, 4), source into target, q = R p + t, in the clouds' unit; None for
+            the identity.
+        of: "source" for the distances of the moved source points to the target, "target" for the
+            distances of the target's points to the moved source.
         threads: 0 for as many as OpenMP would use; the distances do not depend on it.
 
     Returns:
-        float64 (N,), or (M,) of the target: in the clouds' unit, exact to 1e-6 of the other
+        float64 (N,), or (M,) for the target, in the clouds' unit, exact to 1e-6 of the other
         cloud's size, or of the distance where that is larger. NaN for points with a NaN or an
         infinity (or masked ones).
 
     Raises:
         TypeError: an argument of a wrong type.
-        ValueError: a wrong shape, no rotation, a cloud without a finite point, or one a million
-            times its size away from the other.
+        ValueError: a wrong shape, a matrix that is not rigid, a cloud without a finite point, or
+            one that is a million times its size away from the other.
         MemoryError: an allocation failed.
     """
     if of not in ("source", "target"):

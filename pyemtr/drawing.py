@@ -20,7 +20,7 @@ _LIGHT = np.array([-0.45, 0.55, 0.70]) / np.linalg.norm([-0.45, 0.55, 0.70])  # 
 
 
 def shaded(colors: Floats, normals: Floats, camera: Camera) -> Floats:
-    """Colours (N, 3) as a lamp at the viewer's left shoulder shows them; both sides are lit."""
+    """Colors (N, 3) as a lamp at the viewer's left shoulder shows them; both sides are lit."""
     seen = normals @ camera.axes.T
     seen = np.where(seen[:, 2:] < 0, -seen, seen)
     light = _AMBIENT + (1 - _AMBIENT) * np.clip(seen @ _LIGHT, 0, 1)
@@ -31,7 +31,7 @@ def shaded(colors: Floats, normals: Floats, camera: Camera) -> Floats:
 def draw_points(
     ax: Axes, points: Floats, colors: Floats, camera: Camera, gap: float, unit: str
 ) -> None:
-    """Fills ``ax`` with points (N, 3) in colours (N, 3), the nearest on top, equal scales.
+    """Fills ``ax`` with points (N, 3) in colors (N, 3), the nearest on top, equal scales.
 
     ``gap``, the usual distance between neighbors, decides how large the points are drawn.
     """

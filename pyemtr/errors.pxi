@@ -1,4 +1,4 @@
-# Statuses of the C library as Python's exceptions.
+# Turns statuses of the C library into Python exceptions.
 
 cdef int check(emtr_status status) except -1:
     if status == EMTR_OK:

@@ -1,4 +1,4 @@
-"""How far an estimated registration is from the true one.
+"""Errors of an estimated transformation against the true one.
 
 Every ``T`` is a 4x4 rigid transformation that maps source into target, q = R p + t, in the
 user's unit. The figures are those of the EMTR-SSC paper.
@@ -22,7 +22,7 @@ __all__ = [
 #: Degrees; the paper calls a registration successful below this rotation error.
 MAX_ROTATION_ERROR = 5.0
 
-#: Normalized frame. The rotation alone says nothing of slides along planes.
+#: Normalized frame. The rotation alone does not tell a translation along a plane.
 MAX_TRANSLATION_ERROR = 0.06
 
 # float32 matrices (PCL's default) are orthonormal to about 1e-6.
@@ -32,7 +32,7 @@ _Matrix = NDArray[np.float64]
 
 
 def rotation_error(T_est: ArrayLike, T_true: ArrayLike) -> float:
-    """Angle between two rotations, in degrees, 0 to 180.
+    """Returns the angle between two rotations, in degrees, 0 to 180.
 
     Computed as ``2 asin(|R_true - R_est|_F / (2 sqrt 2))``. It equals the paper's arccos of
     the trace, which loses half of its digits near zero: 1e-9 rad and 0 look the same to it.
@@ -55,10 +55,10 @@ def rotation_error(T_est: ArrayLike, T_true: ArrayLike) -> float:
 def translation_error(
     T_est: ArrayLike, T_true: ArrayLike, center: ArrayLike, scale: float
 ) -> float:
-    """Displacement of the source's centroid in the normalized frame, without a unit.
+    """Returns the displacement of the source's centroid in the normalized frame, without a unit.
 
     This is ``|T_est c - T_true c| / scale``, the same as the paper's ``|t_true - t_est|``
-    once both clouds are centred and scaled; unlike the raw difference of the translations,
+    once both clouds are centered and scaled; unlike the raw difference of the translations,
     it does not depend on where the user's origin lies.
 
     Parameters
@@ -94,7 +94,7 @@ def joint_success(
     max_rotation: float = MAX_ROTATION_ERROR,
     max_translation: float = MAX_TRANSLATION_ERROR,
 ) -> bool:
-    """Whether rotation and translation are both right.
+    """Tells whether rotation and translation are both right.
 
     True when ``rotation_error < max_rotation`` (degrees) and ``translation_error <
     max_translation`` (normalized frame). Arguments and errors are those of the two functions.

@@ -1,30 +1,34 @@
-"""The settings: what there is, and how keyword arguments become what the C library reads."""
+"""The settings: the table of them, and their values as the C library reads them."""
 
 from __future__ import annotations
 
 import difflib
 import numbers
 import operator
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Union
 
 import numpy as np
 
 from . import _emtr
-from .arrays import as_bounds, as_correspondences, as_transformation, as_vector
 
 Value = Union[int, float, bool, str]
 
 
 @dataclass(frozen=True)
 class Setting:
-    """One setting. ``minimum`` and ``maximum`` are inclusive, ``default`` is that
-    of preset "default".
+    """One setting of the method.
 
-    ``type`` is "integer", "real", "switch" (False or True) or "choice" (one of ``choices``).
-    ``part`` is that of the method it belongs to; but for the part "priors", lengths are never in
-    the cloud's own unit.
+    Attributes:
+        name: the keyword argument.
+        type: "integer", "real", "switch" (False or True) or "choice" (one of ``choices``).
+        unit: "" where there is none. Only lengths of the part "priors" are in the cloud's own unit.
+        minimum, maximum: the range, both inclusive.
+        default: the value in preset "default".
+        part: the part of the method that the setting belongs to.
+        text: its meaning in one line.
+        choices: the names that a "choice" takes, else empty.
     """
 
     name: str
@@ -39,7 +43,7 @@ class Setting:
 
 
 def settings() -> dict[str, Setting]:
-    """Every setting by name, in the library's order."""
+    """Returns every setting by name, in the library's order."""
     found = {}
     for name, kind, unit, low, high, value, part, text, choices in _emtr.describe_settings():
         names = tuple(word.strip() for word in choices.split(",")) if choices else ()
@@ -50,27 +54,25 @@ def settings() -> dict[str, Setting]:
 
 
 def presets() -> list[str]:
-    """Names for the argument ``preset``."""
+    """Returns the names that the argument ``preset`` takes."""
     return _emtr.preset_names()
 
 
 def make_settings(
-    seed: int,
-    threads: int,
     preset: str,
-    guess: Any,
     changes: Mapping[str, Value],
-    source_viewpoint: Any = None,
-    target_viewpoint: Any = None,
-    axis: Any = None,
-    translation_bounds: Any = None,
+    *,
+    seed: int = 0,
+    threads: int = 0,
+    arguments: Sequence[str] = (),
 ) -> _emtr.Settings:
-    """A preset with the changes made; what is None stays unknown.
+    """Returns a preset with the changes made.
+
+    The names in ``arguments`` are suggested for a mistyped setting too.
 
     Raises:
         TypeError: an unknown setting (close names are listed), or a value of a wrong type.
-        ValueError: a value out of range, an unknown preset, a guess that is not (4, 4), a
-            viewpoint or axis that is not (3,) or not finite, bounds that are not (2, 3).
+        ValueError: a value out of range, or an unknown preset.
     """
     if not isinstance(preset, str):
         raise TypeError(f"preset: a name is expected, got {type(preset).__name__}")
@@ -78,37 +80,20 @@ def make_settings(
     known = settings()
     for name, value in changes.items():
         if name not in known:
-            raise TypeError(_unknown(name, list(known)))
+            raise TypeError(_unknown(name, [*known, *arguments]))
         chosen.set(name, _number(known[name], value))
     chosen.set("threads", float(_whole("threads", threads)))
     chosen.seed = _seed(seed)
-    if guess is not None:
-        chosen.guess = as_transformation(guess, "guess").reshape(16)
-    if source_viewpoint is not None:
-        chosen.viewpoint_source = as_vector(source_viewpoint, "source_viewpoint", 3)
-    if target_viewpoint is not None:
-        chosen.viewpoint_target = as_vector(target_viewpoint, "target_viewpoint", 3)
-    if axis is not None:
-        chosen.axis = as_vector(axis, "axis", 3)
-    if translation_bounds is not None:
-        chosen.translation_bounds = as_bounds(translation_bounds, "translation_bounds")
     return chosen
 
 
-def take_correspondences(chosen: _emtr.Settings, correspondences: Any) -> bool:
-    """Hands them in; whether there are any. Raises as :func:`as_correspondences`."""
-    if correspondences is not None:
-        chosen.correspondences = as_correspondences(correspondences)
-    return correspondences is not None
-
-
 def thread_setting(threads: int) -> int:
-    """The argument ``threads`` of calls that take no other setting; raises as above."""
-    return int(make_settings(0, threads, "default", None, {}).get("threads"))
+    """Checks the argument ``threads`` of calls without other settings; raises as above."""
+    return int(make_settings("default", {}, threads=threads).get("threads"))
 
 
 def settings_used(chosen: _emtr.Settings) -> dict[str, Any]:
-    """All settings by name, as keyword arguments that repeat the run; poses: lists or None."""
+    """Returns all settings as keyword arguments that repeat the run; vectors are lists or None."""
     used: dict[str, Any] = {}
     for name, setting in settings().items():
         used[name] = _plain(setting.type, chosen.get(name), setting.choices)
@@ -131,7 +116,7 @@ def _plain(kind: str, value: float, choices: tuple[str, ...]) -> Value:
 
 
 def _number(setting: Setting, value: Any) -> float:
-    """The value as the number that the library takes; it checks the range itself."""
+    """Returns the value as the number that the library takes and checks the range of."""
     if isinstance(value, (bool, np.bool_)):
         if setting.type != "switch":
             raise TypeError(f"{setting.name}: expected a number, got {value!r}")
@@ -168,23 +153,7 @@ def _seed(value: Any) -> int:
     return whole
 
 
-# that the table leaves out
-_OWN = [
-    "preset",
-    "guess",
-    "source_viewpoint",
-    "target_viewpoint",
-    "axis",
-    "translation_bounds",
-    "source_normals",
-    "target_normals",
-    "source_features",
-    "target_features",
-    "correspondences",
-]
-
-
-def _unknown(name: str, known: list[str]) -> str:
-    close = difflib.get_close_matches(name, known + _OWN, n=3)
+def _unknown(name: str, known: Sequence[str]) -> str:
+    close = difflib.get_close_matches(name, dict.fromkeys(known), n=3)
     hint = f"did you mean {' or '.join(close)}?" if close else "see pyemtr.settings()"
     return f"unknown setting {name!r}; {hint}"

@@ -1,4 +1,4 @@
-# emtr_result as a dict of plain Python values.
+# Turns an emtr_result into a dict of plain Python values.
 
 cdef dict fields(const emtr_result* r):
     return {
@@ -27,10 +27,12 @@ cdef dict fields(const emtr_result* r):
         "center_source": listed(r.center_source, 3),
         "center_target": listed(r.center_target, 3),
         "leaf_sparse": r.leaf_sparse, "leaf_dense": r.leaf_dense, "leaf_fine": r.leaf_fine,
-        "timings": {"normalization": r.seconds_normalization, "downsampling": r.seconds_downsampling,
+        "timings": {"normalization": r.seconds_normalization,
+                    "downsampling": r.seconds_downsampling,
                     "features": r.seconds_features, "matching": r.seconds_matching,
                     "seeds": r.seconds_seeds, "evolution": r.seconds_evolution,
-                    "candidates": r.seconds_candidates, "fallback_search": r.seconds_fallback_search,
+                    "candidates": r.seconds_candidates,
+                    "fallback_search": r.seconds_fallback_search,
                     "refinement": r.seconds_refinement, "verdict": r.seconds_verdict,
                     "total": r.seconds_total},
         "iterations": r.iterations,
@@ -53,7 +55,7 @@ cdef dict fields(const emtr_result* r):
 
 
 cdef dict finish(emtr_status status, Watch watch, emtr_result* result):
-    # What the callback raised comes first: it is why the run ended.
+    # An exception of the callback comes first, because it ended the run.
     try:
         if watch.error is not None:
             raise watch.error

@@ -1,4 +1,4 @@
-"""A picture of a registration: the clouds before and after, and where they differ.
+"""Pictures of a registration: the clouds before and after, and the distances between them.
 
 Needs matplotlib and scipy: ``pip install 'pyemtr[plot]'``.
 """
@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from .arrays import Floats, as_points, as_transformation, as_vector
 from .camera import Camera, best_view, side_view
 from .drawing import INK, draw_points, shaded
-from .neighborhood import neighbor_tree, spacing, surface_normals, thinned
+from .neighborhood import neighbor_tree, spacing, subsampled, surface_normals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -47,7 +47,7 @@ def plot_alignment(
     """Draws the clouds as they were given, after the registration from two sides, and an error map.
 
     The error map shows the distance of each moved source point to its nearest target point, up
-    to four times the target's point spacing; what lies beyond has no counterpart and is grey.
+    to four times the target's point spacing; what lies beyond has no counterpart and is gray.
 
     Args:
         source, target: (N, 3) and (M, 3), any real dtype, in one unit. Points with NaN or
@@ -56,7 +56,7 @@ def plot_alignment(
         path: file to write (.png, .pdf, .svg ...), whole or not at all, without a display. None:
             the figure belongs to pyplot, for ``matplotlib.pyplot.show()``.
         title: a line above the panels, such as the verdict.
-        unit: name of the clouds' unit, for the scale bars and the colour bar.
+        unit: name of the clouds' unit, for the scale bars and the color bar.
         up: direction (3,) in the target's frame that is drawn upwards.
         view: direction (3,) in the target's frame, from the clouds to the viewer. None: the side
             from which most points are seen.
@@ -81,14 +81,14 @@ def plot_alignment(
         if value < 1:
             raise ValueError(f"{name}: expected 1 or more, got {value}")
 
-    before = thinned(clouds["source"], max_points)
+    before = subsampled(clouds["source"], max_points)
     after = before @ matrix[:3, :3].T + matrix[:3, 3]
-    fixed = thinned(clouds["target"], max_points)
+    fixed = subsampled(clouds["target"], max_points)
     normals_after = surface_normals(after)
     normals_fixed = surface_normals(fixed)
     normals_before = normals_after @ matrix[:3, :3]
     both = np.concatenate([after, fixed]), np.concatenate([normals_after, normals_fixed])
-    # not of both clouds as one, whose points may coincide
+    # Points of the two clouds may coincide, so each cloud has its own spacing.
     gap = max(spacing(after), spacing(fixed))
     if view is None:
         front = best_view(both[0], upward, gap)
@@ -149,7 +149,7 @@ def _error_map(
     ax.text(
         0.03,
         0.915,
-        f"{text}; grey: beyond",
+        f"{text}; gray: beyond",
         transform=ax.transAxes,
         fontsize=10,
         color=INK,

@@ -30,11 +30,11 @@ cdef class Problem:
         if self.problem != NULL:
             raise RuntimeError("a problem is made once")
         if isinstance(source, Preprocessed) or isinstance(target, Preprocessed):
-            c = prepared(source, "source", settings)
-            d = prepared(target, "target", settings)
+            c = preprocessed(source, "source", settings)
+            d = preprocessed(target, "target", settings)
             interrupt.begin()
             with nogil:
-                status = emtr_problem_create_preprocessed(c.prepared, d.prepared, chosen, &made)
+                status = emtr_problem_create_preprocessed(c.handle, d.handle, chosen, &made)
         else:
             a, b = source, target
             interrupt.begin()

@@ -1,4 +1,4 @@
-"""A pair of clouds made ready, for those who go stage by stage."""
+"""A preprocessed pair of clouds, for callers who run the stages one by one."""
 
 from __future__ import annotations
 
@@ -12,22 +12,23 @@ from numpy.typing import NDArray
 
 from . import _emtr
 from .arrays import Floats, as_particles, as_transformation, as_vector
-from .cloud import as_cloud
-from .options import Value, make_settings, settings_used, take_correspondences
+from .inputs import Inputs
+from .options import Value, settings_used
 from .progress import Callback, as_raw_callback
 from .result import Result, make_result
 from .views import ProblemViews
 
 
 class Problem(ProblemViews):
-    """Two clouds normalized, thinned, described and matched.
+    """Two clouds normalized, downsampled, described by features and matched.
 
-    Particles of task alpha are (theta1, theta2, theta3, tx, ty, tz), of task beta (theta1,
-    theta2, theta3): radians, R = Rz(theta1) Ry(theta2) Rx(theta3), any real angle; t in the
-    normalized frame, p' = (p - center) / scale. All threads may share one Problem: they wait
-    for each other.
+    A particle of task alpha is (theta1, theta2, theta3, tx, ty, tz), one of task beta (theta1,
+    theta2, theta3). Angles are in radians, any real number, R = Rz(theta1) Ry(theta2) Rx(theta3).
+    The translation is in the normalized frame, p' = (p - center) / normalization_scale.
 
-    Args and errors are those of :func:`pyemtr.register`.
+    Threads may share one Problem; its methods run one at a time.
+
+    Arguments and errors are those of :func:`pyemtr.register`.
     """
 
     def __init__(
@@ -50,38 +51,42 @@ class Problem(ProblemViews):
         correspondences: Any = None,
         **settings: Value,
     ) -> None:
-        chosen = make_settings(
-            seed,
-            threads,
-            preset,
-            guess,
-            settings,
-            source_viewpoint,
-            target_viewpoint,
-            axis,
-            translation_bounds,
+        inputs = Inputs(
+            seed=seed,
+            threads=threads,
+            preset=preset,
+            guess=guess,
+            source_viewpoint=source_viewpoint,
+            target_viewpoint=target_viewpoint,
+            axis=axis,
+            translation_bounds=translation_bounds,
+            source_normals=source_normals,
+            target_normals=target_normals,
+            source_features=source_features,
+            target_features=target_features,
+            correspondences=correspondences,
         )
+        chosen = inputs.settings(settings)
         self.settings: dict[str, Any] = settings_used(chosen)
-        keep = take_correspondences(chosen, correspondences)
-        self._raw = _emtr.Problem(
-            as_cloud(source, "source", source_normals, source_features, keep),
-            as_cloud(target, "target", target_normals, target_features, keep),
-            chosen,
-        )
+        self._raw = _emtr.Problem(*inputs.clouds(source, target), chosen)
         self._lock = threading.Lock()
         self._holder: int | None = None
 
     def solve(self, callback: Callback | None = None) -> Result:
-        """From the evolution to the verdict; the same bits as :func:`pyemtr.register` gives."""
+        """Runs the stages from the evolution to the verdict.
+
+        Returns a :class:`pyemtr.Result` with the same bits as :func:`pyemtr.register`. The
+        callback and the errors are as there.
+        """
         raw_callback = as_raw_callback(callback)
         with self._alone():
             raw = self._raw.solve(raw_callback)
         return make_result(raw, dict(self.settings))
 
     def evaluate_alpha(self, particles: Any, stage: str = "dense") -> Floats:
-        """Fitness of task alpha, lower is better: (P, 6) to float64 (P,).
+        """Returns the fitness of task alpha for particles (P, 6): float64 (P,), lower is better.
 
-        ``stage`` is "sparse" or "dense". Each look-up is counted in ``queries``.
+        ``stage`` is "sparse" or "dense". The nearest-neighbor queries are counted in ``queries``.
         Raises TypeError or ValueError for other shapes, types, or numbers that are not finite.
         """
         if stage not in ("sparse", "dense"):
@@ -93,7 +98,10 @@ class Problem(ProblemViews):
         return fitness
 
     def evaluate_beta(self, particles: Any) -> Floats:
-        """Fitness of task beta, lower is better: (P, 3) to float64 (P,); raises likewise."""
+        """Returns the fitness of task beta for particles (P, 3): float64 (P,), lower is better.
+
+        Raises as :meth:`evaluate_alpha`.
+        """
         genes = as_particles(particles, 3)
         fitness = np.empty(len(genes), dtype=np.float64)
         with self._alone():
@@ -101,36 +109,43 @@ class Problem(ProblemViews):
         return fitness
 
     def complement(self, angles: Any) -> Floats:
-        """Algorithm 2: angles (3,) to the translation (3,), normalized, that completes them.
+        """Returns the translation (3,), normalized frame, that completes angles (3,): Algorithm 2.
 
-        With priors it completes the nearest rotation that they admit, to a pose that they admit.
+        With priors it completes the nearest admissible rotation to an admissible pose. Raises
+        TypeError or ValueError for another shape or type, or numbers that are not finite.
         """
         a, b, c = as_vector(angles, "angles", 3).tolist()
         with self._alone():
             return np.array(self._raw.complement(a, b, c), dtype=np.float64)
 
     def to_transformation(self, particle: Any) -> Floats:
-        """A particle (6,) as a matrix (4, 4), source into target, in the clouds' unit."""
+        """Returns a particle (6,) as a float64 matrix (4, 4), source into target, clouds' unit.
+
+        Raises TypeError or ValueError for another shape or type, or numbers that are not finite.
+        """
         values = self._raw.to_transformation(as_vector(particle, "particle", 6))
         return np.array(values, dtype=np.float64).reshape(4, 4)
 
     def to_particle(self, transformation: Any) -> Floats:
-        """A rigid matrix (4, 4), source into target, as a particle (6,); raises ValueError."""
+        """Returns a rigid matrix (4, 4), source into target, as a particle (6,), float64.
+
+        Raises TypeError or ValueError when the matrix is not (4, 4), finite and rigid.
+        """
         matrix = as_transformation(transformation, "transformation")
         return np.array(self._raw.to_particle(matrix.reshape(16)), dtype=np.float64)
 
     @property
     def queries(self) -> int:
-        """Look-ups of ``evaluate_alpha`` and ``complement`` on this problem so far."""
-        if self._holder == threading.get_ident():  # asked from a callback, between iterations
+        """Nearest-neighbor queries of ``evaluate_alpha`` and ``complement`` so far."""
+        if self._holder == threading.get_ident():  # called from a callback, between iterations
             return self._raw.queries()
         with self._alone():
             return self._raw.queries()
 
     @contextmanager
     def _alone(self) -> Iterator[None]:
-        # The C library wants one thread at a time on a problem. A callback that calls back
-        # into its own problem would wait for itself for ever.
+        # The C library allows one thread at a time on a problem. A callback that calls its own
+        # problem would wait for itself forever.
         if self._holder == threading.get_ident():
             raise RuntimeError("this Problem is being solved by the caller of this callback")
         with self._lock:

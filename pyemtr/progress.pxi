@@ -1,9 +1,9 @@
-# How a call that holds no GIL hears of Python again: by the progress callback of a run, else by
-# this thread's interrupt.
+# Lets a call that holds no GIL hear from Python: a run through its progress callback, any other
+# call through this thread's interrupt function.
 
 @cython.final
 cdef class Watch:
-    """What on_progress needs: the user's callback, and room for what it raised."""
+    """Carries the user's callback to on_progress, and back what the callback raised."""
     cdef object callback
     cdef object error
 
@@ -12,7 +12,7 @@ cdef class Watch:
 
 
 cdef int on_progress(const emtr_progress* progress, void* user) noexcept with gil:
-    # Always installed, with or without a user's callback: it is what makes Ctrl-C work.
+    # Installed with or without a user's callback, because it makes Ctrl-C work.
     cdef Watch watch = <Watch>user
     try:
         PyErr_CheckSignals()
@@ -28,7 +28,7 @@ cdef int on_progress(const emtr_progress* progress, void* user) noexcept with gi
 
 @cython.final
 cdef class Interrupt:
-    """Around a call that takes no callback: Ctrl-C ends it, and here is what its handler raised."""
+    """Lets Ctrl-C end a call that takes no callback; holds what the signal handler raised."""
     cdef object error
 
     cdef void begin(self) noexcept:

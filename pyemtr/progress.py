@@ -1,4 +1,4 @@
-"""What a running registration tells its caller."""
+"""The progress of a running registration."""
 
 from __future__ import annotations
 
@@ -6,13 +6,15 @@ from typing import Any, Callable, NamedTuple, Optional
 
 
 class Progress(NamedTuple):
-    """Given to the callback before each stage, after each iteration, and again every 20 ms or so.
+    """Passed to the callback before each stage, after each iteration, and about every 20 ms.
 
-    ``stage`` is "normalization", "downsampling", "features", "matching", "seeds", "evolution", "candidates",
-    "fallback_search", "refinement" or "verdict", in this order; a preset without a stage leaves it out.
-    ``iteration`` of ``iterations`` are done. ``best_alpha`` and ``best_beta`` are the best
-    fitness so far of the two tasks, lower is better; alpha's scale changes at the switch from
-    sparse to dense.
+    Attributes:
+        stage: "normalization", "downsampling", "features", "matching", "seeds", "evolution",
+            "candidates", "fallback_search", "refinement" or "verdict", in this order. A preset
+            without a stage skips it.
+        iteration, iterations: how many are done, and how many there are in all.
+        best_alpha, best_beta: the best fitness so far of the two tasks, lower is better. Alpha's
+            scale changes at the switch from sparse to dense.
     """
 
     stage: str
@@ -26,7 +28,7 @@ Callback = Callable[[Progress], Optional[bool]]
 
 
 def as_raw_callback(callback: Callback | None) -> Callable[..., Any] | None:
-    """The callback as the extension calls it, with plain arguments."""
+    """Returns the callback as the extension calls it, with plain arguments."""
     if callback is None:
         return None
     if not callable(callback):

@@ -1,12 +1,12 @@
-"""One call from two clouds to a pose."""
+"""Registration of two clouds in one call."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from . import _emtr
-from .cloud import as_cloud
-from .options import Value, make_settings, settings_used, take_correspondences
+from .inputs import Inputs
+from .options import Value, settings_used
 from .progress import Callback, as_raw_callback
 from .result import Result, make_result
 
@@ -39,42 +39,44 @@ def register(
     Args:
         source: points (N, 3) in any unit: an array of any real dtype, byte order and strides,
             nested lists, or an object with ``.points`` (an Open3D cloud). float32 and float64
-            rows are read in place, all else is copied once. Points with a NaN or an infinity
-            (or masked ones) are dropped and counted. A :class:`pyemtr.Cloud` spares the reading
-            of points that are registered more than once.
-        target: likewise, (M, 3).
+            rows are read in place; anything else is copied once. Points with a NaN or an infinity
+            (or masked ones) are dropped and counted. Use a :class:`pyemtr.Cloud` for points that
+            are registered more than once: they are then read once.
+        target: points (M, 3), likewise.
         seed: 0 <= seed < 2**64.
         threads: 0 for as many as OpenMP would use; the result does not depend on it.
         preset: one of :func:`pyemtr.presets`; "paper" is the method as published.
-        guess: (4, 4), source into target, in the clouds' unit: tried as one hypothesis, not a
-            place that the search stays near, unless the settings ``guess_rotation`` (degrees) or
+        guess: (4, 4), source into target, in the clouds' unit. It is tried as one hypothesis; the
+            search does not stay near it unless the settings ``guess_rotation`` (degrees) or
             ``guess_translation`` (the clouds' unit, of the source's centroid) say how near.
-        source_viewpoint: (3,), where the sensor stood that took the source, in the source's own
-            frame and unit. What it saw tells candidates apart: no surface is in front of it.
+        source_viewpoint: (3,), the position of the source's sensor, in the source's own frame and
+            unit. It tells candidates apart: no surface lies in front of what the sensor saw.
             None when not known; it is then estimated where it is needed.
-        target_viewpoint: (3,), likewise of the target, in the target's frame and unit.
-        axis: (3,), a direction that is the same in both clouds' frames, up for scanners that know
-            where down is: only rotations about it. Settings: ``axis_tilt``,
+        target_viewpoint: (3,), likewise for the target, in the target's frame and unit.
+        axis: (3,), a direction that is the same in both clouds' frames, such as up for leveled
+            scanners: only rotations about it are admitted. Settings: ``axis_tilt``,
             ``axis_angle_minimum``, ``axis_angle_maximum`` (degrees).
-        translation_bounds: (2, 3), least and largest translation of the resulting matrix, in the
-            clouds' unit. These priors and the setting ``maximum_rotation`` (degrees) hold for the
-            transformation and the alternatives, all at once.
-        source_normals: (N, 3), normals of the source's points, used instead of estimating them. Of
-            any length; NaN or zero where a point has none. Where both clouds have some, the side
-            that they point to counts. What an object has in ``.normals`` is not used by itself.
-        target_normals: (M, 3), likewise of the target.
-        source_features: (N, D), descriptors of the source's points, computed elsewhere: the mutual
-            nearest neighbors by Euclidean distance are matched, instead of those by FPFH. NaN
-            where a point has none. Used as float32; both clouds or none, of one D.
-        target_features: (M, D), likewise of the target.
-        correspondences: (K, 2) of whole numbers, rows of source and target held to be the same
-            place, many of which may be wrong: taken instead of any matching. At least 3 different
-            ones; of more than ``max_correspondences`` so many, evenly spread over the list.
-        callback: called with a :class:`pyemtr.Progress` before each stage, after each
-            iteration, and again about every 20 ms while a stage lasts, with the same progress.
-            Return True to stop: the result then has the reason "interrupted" and the best pose
-            so far. What it raises stops the run and reaches the caller. Ctrl-C is looked at as
-            often, with or without a callback. It may register clouds itself.
+        translation_bounds: (2, 3), smallest and largest translation of the resulting matrix, in
+            the clouds' unit. All priors, ``maximum_rotation`` (degrees) included, hold at once for
+            the transformation and for the alternatives.
+        source_normals: (N, 3), user-provided normals of the source's points, used in place of
+            estimated ones. They may have any length; NaN or zero marks a point without a normal.
+            Where both clouds have normals, their direction counts. An object's ``.normals`` are
+            not used by themselves.
+        target_normals: (M, 3), likewise for the target.
+        source_features: (N, D), user-provided descriptors of the source's points. Mutual nearest
+            neighbors by Euclidean distance become correspondences, in place of those by FPFH. NaN
+            marks a point without a descriptor. Used as float32; give both clouds' or none, with
+            the same D.
+        target_features: (M, D), likewise for the target.
+        correspondences: (K, 2) integers, rows of source and target that show the same place; many
+            may be wrong. They replace feature matching. At least 3 different ones are needed; of
+            more than ``max_correspondences``, that many are used, evenly spaced over the list.
+        callback: called with a :class:`pyemtr.Progress` before each stage, after each iteration,
+            and again about every 20 ms while a stage lasts, with the same progress. Return True to
+            stop the run: the result then has the reason "interrupted" and the best pose so far. An
+            exception stops the run and reaches the caller. The callback may register clouds itself.
+            Ctrl-C is checked as often, with or without a callback.
         **settings: any of :func:`pyemtr.settings` by name.
 
     Returns:
@@ -83,29 +85,27 @@ def register(
 
     Raises:
         TypeError: an argument of a wrong type, an unknown setting.
-        ValueError: a wrong shape, a value out of range, a correspondence of points that there are
-            not or that are not finite, a cloud that cannot be registered
-            (fewer than 10 finite points, all on one point or one line), priors that
-            contradict each other.
+        ValueError: a wrong shape, a value out of range, a correspondence of points that do not
+            exist or are not finite, a cloud that cannot be registered (fewer than 10 finite
+            points, all on one point or one line), priors that contradict each other.
         MemoryError: an allocation failed.
         RuntimeError: a defect of the library.
     """
-    chosen = make_settings(
-        seed,
-        threads,
-        preset,
-        guess,
-        settings,
-        source_viewpoint,
-        target_viewpoint,
-        axis,
-        translation_bounds,
+    inputs = Inputs(
+        seed=seed,
+        threads=threads,
+        preset=preset,
+        guess=guess,
+        source_viewpoint=source_viewpoint,
+        target_viewpoint=target_viewpoint,
+        axis=axis,
+        translation_bounds=translation_bounds,
+        source_normals=source_normals,
+        target_normals=target_normals,
+        source_features=source_features,
+        target_features=target_features,
+        correspondences=correspondences,
     )
-    keep = take_correspondences(chosen, correspondences)
-    raw = _emtr.register(
-        as_cloud(source, "source", source_normals, source_features, keep),
-        as_cloud(target, "target", target_normals, target_features, keep),
-        chosen,
-        as_raw_callback(callback),
-    )
+    chosen = inputs.settings(settings)
+    raw = _emtr.register(*inputs.clouds(source, target), chosen, as_raw_callback(callback))
     return make_result(raw, settings_used(chosen))

@@ -1,8 +1,8 @@
-# emtr_residuals: how far the points of one cloud are from the other.
+# emtr_residuals: distances of one cloud's points to the other cloud.
 
 def residuals(source, target, const double[::1] transformation, int threads, bint of_target,
               double[::1] out):
-    """Of the source's points, or of the target's, into `out`; the transformation has 16 numbers."""
+    """Writes the residuals of source or target into `out`; the transformation has 16 numbers."""
     cdef CloudBuffer a = CloudBuffer(source)
     cdef CloudBuffer b = CloudBuffer(target)
     cdef double* values = NULL

@@ -1,4 +1,4 @@
-"""The outcome of a registration."""
+"""The result of a registration."""
 
 from __future__ import annotations
 
@@ -17,60 +17,64 @@ from .distances import residuals
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Result:
-    """A pose and how far to trust it. Lengths are in the user's unit unless said.
+    """A pose, and how far to trust it. Lengths are in the user's unit unless said otherwise.
 
     Attributes:
-        transformation: float64 (4, 4), source into target: q = R p + t. The caller's own copy,
-            writable. The best so far when the run was stopped, all NaN when none was known yet.
-        registered: True when the pose is held to be right.
+        transformation: float64 (4, 4), source into target: q = R p + t. Writable, and the caller's
+            own. The best pose so far when the run was stopped, all NaN when none was known yet.
+        registered: True when the pose is taken to be right.
         reason: "registered", "low_overlap", "ambiguous", "few_matches", "interrupted",
             "degenerate" or "time_limit".
         reason_text: the reason in a few words.
         fitness: mean M-estimator over both dense clouds, 0 (best) to 1.
         inlier_ratio_source, inlier_ratio_target: share of dense points with a neighbor in the
             other cloud.
-        fitness_gap: fitness of the best clearly different pose minus this pose's.
-        overlap_source, overlap_target: share of the cloud's points that have a partner, the
-            nearest point of the other's fine cloud, within ``leaf_fine``; asked are up to 5000
-            of them. NaN when interrupted, as the two below.
-        inlier_rmse: root mean square distance of the source's points that have one to their
-            partners (point to point); NaN when none has.
-        inlier_rmse_plane: the same to the partners' tangent planes, which does not grow with the
-            spacing of the points.
-        points_source, points_target: finite points; dropped_source, dropped_target: the others.
-        sparse_source, sparse_target, dense_source, dense_target: points of the thinned clouds.
-        correspondences, correspondences_found: feature matches kept, max_correspondences at most,
-            and how many there were.
-        tims, tims_pruned: pairs of them, max_tims at most, and how many of these can be an inlier
-            of no rotation.
-        queries: nearest neighbor look-ups ("evaluation", "switch", "complement").
-        scale, center_source, center_target: the normalized frame, p' = (p - center) / scale.
-        leaf_sparse, leaf_dense, leaf_fine: edge of the thinning voxels, normalized frame.
-        timings: wall seconds by stage, 0 for one that did not run, and "total".
-        iterations: done.
+        fitness_gap: fitness of the best clearly different pose minus the fitness of this pose.
+        overlap_source, overlap_target: share of up to 5000 of the cloud's points that have a
+            correspondence: the nearest point of the other fine cloud, within ``leaf_fine``. NaN
+            when interrupted, like the next two.
+        inlier_rmse: root mean square distance of the source's points to their correspondences,
+            point to point; NaN when there are none.
+        inlier_rmse_plane: the same to the tangent planes of the correspondences; it does not grow
+            with the spacing of the points.
+        points_source, points_target: the number of finite points.
+        dropped_source, dropped_target: the number of points with a NaN or an infinity.
+        sparse_source, sparse_target, dense_source, dense_target: points of the downsampled clouds.
+        correspondences, correspondences_found: feature matches used, at most
+            ``max_correspondences``, and feature matches found.
+        tims, tims_pruned: pairs of correspondences, at most ``max_tims``, and how many of them no
+            rotation can make an inlier.
+        queries: nearest-neighbor queries by purpose: "evaluation", "switch", "complement".
+        normalization_scale, center_source, center_target: the normalized frame,
+            p' = (p - center) / normalization_scale; centers are float64 (3,).
+        leaf_sparse, leaf_dense, leaf_fine: voxel edge of each downsampling, normalized frame.
+        timings: wall seconds by stage, 0 for a stage that did not run, and "total".
+        iterations: how many were done.
         history: best fitness so far after each iteration, float64 (iterations,), of the tasks
             "alpha" (its scale changes at the switch from sparse to dense) and "beta".
-        seed: as given; threads: used; kernel: the instruction set of the inner loops, see
-            :func:`pyemtr.kernel_name`.
-        confidence: held probability, 0 to 1, that the pose is right within 5 degrees and 0.06
-            radii. NaN without candidates (preset "paper"), as the four below, and when stopped
-            before all of them were ranked.
-        score: ``fit - 2 violation``, at most 1.
-        fit: how well the surfaces lie on each other, 0 to 1 (best).
+        seed: the argument.
+        threads: the number of threads used.
+        kernel: the instruction set of the inner loops, see :func:`pyemtr.kernel_name`.
+        confidence: estimated probability, 0 to 1, that the pose is right within 5 degrees and 0.06
+            radii. NaN without candidates (preset "paper"), like the next four, and when the run
+            was stopped before all of them were ranked.
+        score: ``surface_fit - 2 violation``, at most 1.
+        surface_fit: how well the surfaces agree, 0 to 1 (best).
         violation: share of points in front of what the other scan saw, 0 (best) to 1.
         score_gap: score minus that of the best clearly different candidate.
-        seeds: poses that consistent matches gave; candidates: distinct poses ranked.
-        used_fallback_search: True when it was searched again with more feature points; refined: True when
-            the answer was polished on fine clouds.
-        alternatives: of :class:`pyemtr.Alternative`, best first, at most 10.
-        information: float64 (6, 6), inverse of the pose's covariance for a small rotation w
-            (radians) and then a shift v (the user's unit) about ``center_target`` c:
-            q = exp(w) (R p + t - c) + c + v. NaN when not refined, as the two below.
-        hessian_eigenvalues: float64 (6,), how firmly the matched surfaces hold the pose, ascending: 0 for a
-            motion that slides them along themselves, to about 1.
-        hessian_eigenvectors: float64 (6, 6), a unit vector a row, by rows of ``hessian_eigenvalues``: rotation,
-            measured as the way at the surfaces' radius, then shift.
-        unconstrained_directions: how many are not held; None when not refined.
+        seeds: the number of poses that consistent matches gave.
+        candidates: the number of distinct poses ranked.
+        used_fallback_search: True when the search was repeated with more feature points.
+        refined: True when the pose was refined on fine clouds.
+        alternatives: list of :class:`pyemtr.Alternative`, best first, at most 10.
+        information: float64 (6, 6), inverse covariance of the pose for a small rotation w
+            (radians) followed by a translation v (the user's unit) about ``center_target`` c:
+            q = exp(w) (R p + t - c) + c + v. NaN when not refined, like the next two.
+        hessian_eigenvalues: float64 (6,), ascending: how firmly the matched surfaces constrain the
+            pose, from 0 for a motion along the surfaces to about 1.
+        hessian_eigenvectors: float64 (6, 6), row i a unit vector for eigenvalue i: rotation, as
+            arc length at the surfaces' radius, then translation.
+        unconstrained_directions: how many of the six are not constrained; None when not refined.
         settings: every setting, as keyword arguments that repeat the run:
             ``register(source, target, **result.settings)``.
     """
@@ -100,7 +104,7 @@ class Result:
     tims: int
     tims_pruned: int
     queries: dict[str, int]
-    scale: float
+    normalization_scale: float
     center_source: Floats
     center_target: Floats
     leaf_sparse: float
@@ -114,7 +118,7 @@ class Result:
     kernel: str
     confidence: float
     score: float
-    fit: float
+    surface_fit: float
     violation: float
     score_gap: float
     seeds: int
@@ -129,9 +133,10 @@ class Result:
     settings: dict[str, Any]
 
     def apply(self, points: Any) -> Floats:
-        """Points of the source's frame (N, 3), any dtype, in the target's frame: float64 (N, 3).
+        """Moves points (N, 3), any dtype, from the source's into the target's frame.
 
-        Raises TypeError or ValueError as :func:`pyemtr.register` does for a cloud.
+        Returns float64 (N, 3). Raises TypeError or ValueError as :func:`pyemtr.register` does for
+        a cloud.
         """
         source = as_points(points, "points").astype(np.float64)
         return np.asarray(source @ self.transformation[:3, :3].T + self.transformation[:3, 3])
@@ -139,16 +144,16 @@ class Result:
     def residuals(
         self, source: Any, target: Any, *, of: str = "source", threads: int = 0
     ) -> Floats:
-        """The distance of each moved source point to the nearest target point, float64 (N,), or
-        with ``of="target"`` that of each target point to the nearest moved source point, (M,).
+        """Returns the distance of each moved source point to the nearest target point: float64
+        (N,), or with ``of="target"`` of each target point to the nearest moved source point, (M,).
 
-        :func:`pyemtr.residuals` at this pose, which says the rest. Raises ValueError when there
-        is none.
+        Arguments and errors are those of :func:`pyemtr.residuals`, which this calls with the
+        result's transformation. Raises ValueError when that is NaN.
         """
         return residuals(source, target, self.transformation, of=of, threads=threads)
 
     def to_dict(self) -> dict[str, Any]:
-        """All fields as JSON knows them: lists for arrays, None for NaN and infinities, a dict
+        """Returns all fields as JSON values: lists for arrays, None for NaN and infinities, a dict
         with "transformation" and "score" for each alternative."""
         return {field.name: _json(getattr(self, field.name)) for field in fields(self)}
 
@@ -157,7 +162,7 @@ class Result:
         rows = np.array2string(self.transformation, precision=6, suppress_small=True, prefix="    ")
         return (
             f"<pyemtr.Result: {verdict}{self._confidence_text()}\n"
-            f"  fitness {self.fitness:.4f}, mode gap {self.fitness_gap:.4f}\n"
+            f"  fitness {self.fitness:.4f}, fitness gap {self.fitness_gap:.4f}\n"
             f"  overlap {self.overlap_source:.1%} of the source,"
             f" {self.overlap_target:.1%} of the target; rmse {self.inlier_rmse:.4g} to points,"
             f" {self.inlier_rmse_plane:.4g} to planes\n"
@@ -173,7 +178,7 @@ class Result:
 
 
 def make_result(raw: Mapping[str, Any], settings: dict[str, Any]) -> Result:
-    """A Result from the extension's fields."""
+    """Returns a Result made of the extension's fields."""
     values = dict(raw)
     values["transformation"] = _matrix(raw["transformation"], 4)
     values["center_source"] = _vector(raw["center_source"])

@@ -1,11 +1,11 @@
-# emtr_settings, by name.
+# emtr_settings, read and written by name.
 
 SETTING_TYPES = {EMTR_SETTING_INTEGER: "integer", EMTR_SETTING_REAL: "real",
                  EMTR_SETTING_SWITCH: "switch", EMTR_SETTING_CHOICE: "choice"}
 
 
 def preset_names():
-    """Names of the presets, in the library's order."""
+    """Returns the names of the presets in the library's order."""
     names = []
     cdef const char* name = emtr_preset_name(0)
     while name != NULL:
@@ -15,7 +15,7 @@ def preset_names():
 
 
 def describe_settings():
-    """One tuple a setting: name, type, unit, minimum, maximum, value, part, text, choices."""
+    """Returns for each setting (name, type, unit, minimum, maximum, value, part, text, choices)."""
     cdef emtr_setting_info info
     found = []
     for index in range(emtr_setting_count()):
@@ -28,9 +28,9 @@ def describe_settings():
 
 @cython.final
 cdef class Settings:
-    """A preset, to be changed."""
+    """Holds the settings of a preset and lets them be changed by name."""
     cdef emtr_settings values
-    cdef const int32_t[:, ::1] pairs  # what values.correspondences points to
+    cdef const int32_t[:, ::1] pairs  # owns what values.correspondences points to
 
     def __init__(self, str preset not None):
         check(emtr_settings_init(&self.values, sizeof(emtr_settings), preset.encode()))
@@ -104,7 +104,7 @@ cdef class Settings:
 
     @property
     def translation_bounds(self):
-        """Twice 3 numbers, the least and the largest translation, or None."""
+        """The smallest and the largest translation, 3 numbers each, or None."""
         if not self.values.has_translation_bounds:
             return None
         return [listed(self.values.translation_minimum, 3),
@@ -120,7 +120,7 @@ cdef class Settings:
 
     @property
     def correspondences(self):
-        """How many, or None."""
+        """The number of pairs, or None."""
         return None if self.values.correspondences == NULL else self.values.correspondence_count
 
     @correspondences.setter

@@ -1,4 +1,4 @@
-"""The two tasks as functions of particles, for another optimiser to drive."""
+"""The two tasks as functions of particles, for use with another optimizer."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class TaskAlpha:
         source_or_problem: a :class:`Problem`, or a source cloud with ``target`` beside it.
         target: the target cloud; None with a Problem.
         stage: "dense" (both directions) or "sparse" (source to target only).
-        **settings: of a new Problem (all of :func:`pyemtr.register` but callback).
+        **settings: for a new Problem: all arguments of :func:`pyemtr.register` but ``callback``.
     """
 
     def __init__(
@@ -33,15 +33,15 @@ class TaskAlpha:
 
     @property
     def bounds(self) -> Floats:
-        """The search box of the swarm: float64 (6, 2), lowest and highest of each gene.
+        """The search box of the swarm: float64 (6, 2), lowest and highest value of each gene.
 
-        No border of the fitness: angles are periodic, translations unlimited.
+        The fitness has no such bounds: angles are periodic, translations unlimited.
         """
         reach = float(self.problem.settings["translation_bound"])
         return np.array(_ANGLES + [(-reach, reach)] * 3, dtype=np.float64)
 
     def evaluate(self, particles: Any) -> Floats:
-        """(P, 6) to float64 (P,), lower is better; see :meth:`Problem.evaluate_alpha`."""
+        """Returns the fitness of particles (P, 6): see :meth:`Problem.evaluate_alpha`."""
         return self.problem.evaluate_alpha(particles, self.stage)
 
 
@@ -57,7 +57,7 @@ class TaskBeta:
         return np.array(_ANGLES, dtype=np.float64)
 
     def evaluate(self, particles: Any) -> Floats:
-        """(P, 3) to float64 (P,), lower is better; see :meth:`Problem.evaluate_beta`."""
+        """Returns the fitness of particles (P, 3): see :meth:`Problem.evaluate_beta`."""
         return self.problem.evaluate_beta(particles)
 
 
@@ -67,5 +67,5 @@ def _problem_of(source_or_problem: Any, target: Any, settings: dict[str, Any]) -
             raise TypeError("target: expected a cloud beside the source cloud")
         return Problem(source_or_problem, target, **settings)
     if target is not None or settings:
-        raise TypeError("a Problem brings its own target and settings; give neither beside it")
+        raise TypeError("a Problem has its own target and settings; give neither beside it")
     return source_or_problem

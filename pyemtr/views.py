@@ -1,4 +1,4 @@
-"""What a Problem shows of itself."""
+"""The figures and arrays of a Problem."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ Singles = NDArray[np.float32]
 
 
 class ProblemViews(ABC):
-    """Figures, and arrays that are read-only views: they keep the problem's memory alive.
+    """Figures, and arrays as read-only views that keep the problem's memory alive.
 
-    All lengths but ``scale`` and the centres are in the normalized frame.
+    All lengths but ``normalization_scale`` and the centers are in the normalized frame.
     """
 
     @abstractmethod
@@ -50,8 +50,8 @@ class ProblemViews(ABC):
 
     @property
     def source_feature_points(self) -> Singles:
-        """float32 (n, 3), the points that are matched: those of the dense cloud, or those that
-        features or correspondences were handed in for."""
+        """float32 (n, 3), the points that are matched: the dense cloud's, or those with
+        user-provided features or correspondences."""
         return self._array("source_feature_points")
 
     @property
@@ -61,7 +61,7 @@ class ProblemViews(ABC):
 
     @property
     def source_feature_rows(self) -> NDArray[np.int32]:
-        """int32 (n,), where the feature points stand in the caller's array; empty when they are the
+        """int32 (n,), the rows of the feature points in the caller's array; empty when they are the
         dense cloud."""
         return self._array("source_feature_rows")[:, 0]
 
@@ -72,36 +72,38 @@ class ProblemViews(ABC):
 
     @property
     def source_normals(self) -> Singles:
-        """float32 (n, 3), by rows of the dense cloud; NaN where there is none."""
+        """float32 (n, 3), row by row with the dense cloud; NaN for a point without a normal."""
         return self._array("source_normals")
 
     @property
     def target_normals(self) -> Singles:
-        """float32 (n, 3), by rows of the dense cloud; NaN where there is none."""
+        """float32 (n, 3), row by row with the dense cloud; NaN for a point without a normal."""
         return self._array("target_normals")
 
     @property
     def source_features(self) -> Singles:
-        """FPFH, float32 (n, 33), by rows of the dense cloud, NaN where there is none; or what was
-        handed in, by rows of the feature points; no rows with correspondences."""
+        """float32 (n, 33) FPFH, row by row with the dense cloud, NaN where there is none; or
+        user-provided descriptors (n, D), row by row with the feature points; no rows with
+        user-provided correspondences."""
         return self._array("source_features")
 
     @property
     def target_features(self) -> Singles:
-        """FPFH, float32 (n, 33), by rows of the dense cloud, NaN where there is none; or what was
-        handed in, by rows of the feature points; no rows with correspondences."""
+        """float32 (n, 33) FPFH, row by row with the dense cloud, NaN where there is none; or
+        user-provided descriptors (n, D), row by row with the feature points; no rows with
+        user-provided correspondences."""
         return self._array("target_features")
 
     @property
     def correspondences(self) -> NDArray[np.int32]:
         """int32 (k, 2): rows of the source's and the target's feature points; the nearest
-        descriptors first, or in the order in which they were handed in."""
+        descriptors first, or user-provided ones in their own order."""
         return self._array("correspondences")
 
     @property
     def tim_source(self) -> Singles:
-        """float32 (l, 3): p_k - p_j of the pairs that are not pruned, of the first correspondences,
-        as many as ``max_tims`` lets in."""
+        """float32 (l, 3): p_k - p_j of the pairs that are not pruned, among the first
+        correspondences, up to ``max_tims`` pairs."""
         return self._array("tim_source")
 
     @property
@@ -110,18 +112,19 @@ class ProblemViews(ABC):
         return self._array("tim_target")
 
     @property
-    def scale(self) -> float:
-        """p' = (p - center) / scale; the clouds' unit."""
-        return self._number("scale")
+    def normalization_scale(self) -> float:
+        """Length of one unit of the normalized frame, in the clouds' unit:
+        p' = (p - center) / normalization_scale."""
+        return self._number("normalization_scale")
 
     @property
     def center_source(self) -> Floats:
-        """float64 (3,), the clouds' unit."""
+        """Centroid, float64 (3,), in the clouds' unit."""
         return np.array(self._describe()["center_source"], dtype=np.float64)
 
     @property
     def center_target(self) -> Floats:
-        """float64 (3,), the clouds' unit."""
+        """Centroid, float64 (3,), in the clouds' unit."""
         return np.array(self._describe()["center_target"], dtype=np.float64)
 
     @property
@@ -151,10 +154,10 @@ class ProblemViews(ABC):
 
     @property
     def tims(self) -> int:
-        """Translation invariant measurements formed, pruned ones included."""
+        """The number of translation invariant measurements, pruned ones included."""
         return int(self._describe()["tims"])
 
     @property
     def tims_pruned(self) -> int:
-        """Those that can be an inlier of no rotation; not in the arrays."""
+        """How many of them no rotation can make an inlier; they are not in the arrays."""
         return int(self._describe()["tims_pruned"])

@@ -35,7 +35,7 @@ def pair():
 
 @pytest.fixture(scope="session")
 def problem(pair):
-    """The pair made ready; tests do not change it but for its count of look-ups."""
+    """The preprocessed pair; tests change nothing of it but its count of queries."""
     import pyemtr
 
     return pyemtr.Problem(pair.source, pair.target, threads=2)

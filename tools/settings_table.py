@@ -37,9 +37,7 @@ def span(setting: pyemtr.Setting) -> str:
 
 
 def table() -> str:
-    presets = {
-        name: settings_used(make_settings(0, 0, name, None, {})) for name in pyemtr.presets()
-    }
+    presets = {name: settings_used(make_settings(name, {})) for name in pyemtr.presets()}
     names = " | ".join(f"`{name}`" for name in presets)
     lines = [
         f"| name | {names} | unit | range | part | meaning |",

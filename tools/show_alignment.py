@@ -3,7 +3,7 @@
 
 Reads source.pcd, target.pcd and T_true.txt, made by sample_pair.py, and T.txt, the pose found,
 from one folder; writes alignment.png there. Returns 1 unless the pose is right: less than 5
-degrees off, and the source's centre moved to within 0.06 of the larger cloud's radius.
+degrees off, and the source's center moved to within 0.06 of the larger cloud's radius.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def show(folder: Path, title: str) -> bool:
     translation = translation_error(found, true, center, scale) * scale
     print(side_by_side(found, true))
     print(f"rotation error     {rotation:.4f} degrees")
-    print(f"translation error  {translation:.4f} {UNIT}, of the source's centre")
+    print(f"translation error  {translation:.4f} {UNIT}, of the source's center")
     errors = f"{rotation:.2f} degrees and {translation:.2f} {UNIT} from the true pose"
     picture = folder / "alignment.png"
     # from between the two scanners, where both scans are seen from the front

@@ -80,7 +80,10 @@ def test_says_how_far_to_trust_it(report, pair):
     assert np.linalg.eigvalsh(information).min() > 0
     directions = np.array(refinement["hessian_eigenvectors"])
     assert np.allclose(np.linalg.norm(directions, axis=1), 1)
-    assert refinement["hessian_eigenvalues"] == sorted(refinement["hessian_eigenvalues"]) and refinement["unconstrained_directions"] == 0
+    assert (
+        refinement["hessian_eigenvalues"] == sorted(refinement["hessian_eigenvalues"])
+        and refinement["unconstrained_directions"] == 0
+    )
 
 
 def test_paper_has_no_candidates(run, clouds, tmp_path):
@@ -88,7 +91,10 @@ def test_paper_has_no_candidates(run, clouds, tmp_path):
     report = json.loads((tmp_path / "r.json").read_text())
     assert report["registered"] is True and report["preset"] == "paper"
     assert report["confidence"] is None and report["refinement"] is None
-    assert report["alternatives"] == [] and report["refined"] is report["used_fallback_search"] is False
+    assert (
+        report["alternatives"] == []
+        and report["refined"] is report["used_fallback_search"] is False
+    )
     assert [report["quality"][name] for name in ("score", "fit", "violation", "score_gap")] == (
         [None] * 4
     )
@@ -117,7 +123,9 @@ def test_times_and_costs_add_up(report):
     assert min(stages) >= 0 and sum(stages) == pytest.approx(seconds["total"])
     assert (seconds["fallback_search"] > 0) == report["used_fallback_search"]
     assert seconds["load_source"] > 0 and seconds["load_target"] > 0
-    assert report["normalization"]["scale"] > 0 and len(report["normalization"]["center_source"]) == 3
+    assert (
+        report["normalization"]["scale"] > 0 and len(report["normalization"]["center_source"]) == 3
+    )
 
 
 def test_is_strict_json_when_a_value_is_unknown(run, small, tmp_path):

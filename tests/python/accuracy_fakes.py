@@ -55,13 +55,13 @@ def least_squares_pose(source, target):
     return T
 
 
-def spoil(T, center, degrees, shift):
-    """T followed by a turn about the moved centre and a shift."""
-    turn = np.eye(4)
-    turn[:3, :3] = Rotation.from_euler("Y", degrees, degrees=True).as_matrix()
+def spoil(T, center, degrees, translation):
+    """T followed by a rotation about the moved center and a translation."""
+    rotation = np.eye(4)
+    rotation[:3, :3] = Rotation.from_euler("Y", degrees, degrees=True).as_matrix()
     moved = T[:3, :3] @ center + T[:3, 3]
-    turn[:3, 3] = moved - turn[:3, :3] @ moved + [0.0, 0.0, shift]
-    return turn @ T
+    rotation[:3, 3] = moved - rotation[:3, :3] @ moved + [0.0, 0.0, translation]
+    return rotation @ T
 
 
 @dataclass(frozen=True)
@@ -69,11 +69,11 @@ class FakeEngine:
     """Knows two presets and the settings of the budget."""
 
     version: str = "0.0.fake"
-    spoiled: dict = field(default_factory=dict)  # seed: (degrees, shift in the cloud's unit)
+    spoiled: dict = field(default_factory=dict)  # seed: (degrees, translation in the cloud's unit)
     sure: tuple = ()  # seeds of spoiled runs that it calls registered all the same
     aware: tuple = ()  # seeds of spoiled runs that have the truth as second alternative
     crashing: tuple = ()  # seeds
-    miscounts: int = 0  # look-ups too many
+    miscounts: int = 0  # queries too many
 
     def check(self, options: Options):
         if options.preset not in ("default", "paper"):

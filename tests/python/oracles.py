@@ -83,6 +83,6 @@ def transformation(particle, scale, center_source, center_target) -> np.ndarray:
     """A particle of the normalized frame p' = (p - center) / scale in the user's unit."""
     matrix = np.eye(4)
     matrix[:3, :3] = rotation(particle[:3])
-    shift = scale * np.asarray(particle[3:])
-    matrix[:3, 3] = center_target + shift - matrix[:3, :3] @ center_source
+    translation = scale * np.asarray(particle[3:])
+    matrix[:3, 3] = center_target + translation - matrix[:3, :3] @ center_source
     return matrix

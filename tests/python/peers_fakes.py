@@ -1,6 +1,6 @@
 """Methods for the tests of the comparison, known by what they do to a run.
 
-A worker process imports this module too, so a method is described by plain data.
+A worker process imports this module too, so a method consists of plain data.
 """
 
 import os

@@ -16,11 +16,11 @@ class Pair(NamedTuple):
 def lump(rng: np.random.Generator, count: int) -> np.ndarray:
     """Points on a lumpy, lopsided egg: always the same surface, sampled by `rng`."""
     fixed = np.random.default_rng(7)
-    centres = directions(fixed, 60)
+    centers = directions(fixed, 60)
     heights = fixed.uniform(0.1, 0.25, 60) * fixed.choice([-1, 1], 60)
     widths = fixed.uniform(0.12, 0.3, 60)
     at = directions(rng, count)
-    angle = np.arccos(np.clip(at @ centres.T, -1, 1))
+    angle = np.arccos(np.clip(at @ centers.T, -1, 1))
     radius = 1 + (heights * np.exp(-((angle / widths) ** 2))).sum(axis=1)
     return at * radius[:, None] * [1.0, 0.8, 0.65]
 
@@ -87,7 +87,7 @@ def bits(result) -> bytes:
         result.inlier_rmse_plane,
         result.confidence,
         result.score,
-        result.fit,
+        result.surface_fit,
         result.violation,
         result.score_gap,
         result.seeds,
@@ -105,5 +105,5 @@ def rotation_error(a: np.ndarray, b: np.ndarray) -> float:
 
 def centroid_error(a: np.ndarray, b: np.ndarray, points: np.ndarray) -> float:
     """How far apart two transformations take the centroid."""
-    centre = points.mean(axis=0, keepdims=True)
-    return float(np.linalg.norm(apply(a, centre) - apply(b, centre)))
+    center = points.mean(axis=0, keepdims=True)
+    return float(np.linalg.norm(apply(a, center) - apply(b, center)))

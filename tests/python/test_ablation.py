@@ -8,8 +8,8 @@ from accuracy_fakes import REPOSITORY, FakeEngine
 from emtr_bench.ablation.arguments import parser
 from emtr_bench.ablation.program import ablation
 from emtr_bench.ablation.variants import SWARM, VARIANTS, WHOLE
-from emtr_bench.document.ablation_section import ablation_section
 from emtr_bench.engine import PyemtrEngine
+from emtr_bench.report.ablation_section import ablation_section
 from emtr_bench.runner import Options
 
 

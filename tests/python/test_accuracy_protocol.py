@@ -16,7 +16,7 @@ HALF_PI, QUARTER_PI = math.pi / 2, math.pi / 4
 
 # Motion 0 of bunny_045_000, drawn once with numpy 2.4: comparisons over time need it to stay.
 PINNED_ANGLES = [0.11609418654154212, 0.13633164556751282, 0.5992331118540006]
-PINNED_SHIFT = [-0.014412486004412249, -0.29498340877178003, -0.19101443557912834]
+PINNED_TRANSLATION = [-0.014412486004412249, -0.29498340877178003, -0.19101443557912834]
 
 names = st.text(min_size=1, max_size=30)
 indices = st.integers(0, 1000)
@@ -34,28 +34,30 @@ def test_twenty_motions_hold_four_of_each_class():
 def test_each_motion_lies_in_the_range_of_its_class(name, index):
     motion = protocol.motion(name, index, CLOUD)
     alpha, beta, gamma = np.abs(motion.angles)
-    shift = np.abs(motion.shift)
-    assert max(alpha, gamma) <= math.pi and beta <= HALF_PI and shift.max() <= DIAGONAL
+    translation = np.abs(motion.translation)
+    assert max(alpha, gamma) <= math.pi and beta <= HALF_PI and translation.max() <= DIAGONAL
     if motion.kind.startswith("SR"):
         assert max(alpha, gamma) <= HALF_PI and beta <= QUARTER_PI
     if motion.kind.startswith("LR"):
         assert min(alpha, gamma) >= HALF_PI and beta >= QUARTER_PI
     if motion.kind.endswith("ST"):
-        assert shift.max() <= DIAGONAL / 2
+        assert translation.max() <= DIAGONAL / 2
     if motion.kind.endswith("LT"):
-        assert shift.min() >= DIAGONAL / 2
+        assert translation.min() >= DIAGONAL / 2
 
 
 def test_motions_fill_their_ranges_with_either_sign():
     motions = [protocol.motion("hare", i, CLOUD) for i in range(3000)]
     for kind in protocol.CLASSES:
         angles = np.array([m.angles for m in motions if m.kind == kind])
-        shift = np.array([m.shift for m in motions if m.kind == kind]) / DIAGONAL
+        translation = np.array([m.translation for m in motions if m.kind == kind]) / DIAGONAL
         small = kind.startswith("SR")
         top = protocol.SMALL_ANGLES if small else protocol.LARGE_ANGLES
         assert (np.abs(angles).max(axis=0) > 0.97 * top).all(), kind
-        assert (np.abs(shift).max(axis=0) > (0.48 if kind.endswith("ST") else 0.97)).all(), kind
-        for column in (*angles.T, *shift.T):
+        assert (np.abs(translation).max(axis=0) > (0.48 if kind.endswith("ST") else 0.97)).all(), (
+            kind
+        )
+        for column in (*angles.T, *translation.T):
             assert 0.4 < np.mean(column > 0.0) < 0.6, kind
 
 
@@ -65,8 +67,10 @@ def test_the_truth_maps_the_moved_source_onto_the_aligned_one(name, index):
     motion = protocol.motion(name, index, CLOUD)
     moved = protocol.apply(motion.matrix, CLOUD)
     np.testing.assert_allclose(protocol.apply(motion.T_true, moved), CLOUD, atol=1e-10)
-    # The shift is what the centroid goes, whatever the rotation.
-    np.testing.assert_allclose(moved.mean(axis=0) - CLOUD.mean(axis=0), motion.shift, atol=1e-10)
+    # The centroid moves by the translation, whatever the rotation.
+    np.testing.assert_allclose(
+        moved.mean(axis=0) - CLOUD.mean(axis=0), motion.translation, atol=1e-10
+    )
 
 
 @settings(deadline=None)
@@ -87,7 +91,7 @@ def test_motions_depend_on_name_and_index_alone():
 def test_a_motion_is_the_same_on_every_machine_and_in_every_release():
     motion = protocol.motion("bunny_045_000", 0, CLOUD)
     np.testing.assert_allclose(motion.angles, PINNED_ANGLES, rtol=1e-12)
-    np.testing.assert_allclose(motion.shift / DIAGONAL, PINNED_SHIFT, rtol=1e-12)
+    np.testing.assert_allclose(motion.translation / DIAGONAL, PINNED_TRANSLATION, rtol=1e-12)
 
 
 @pytest.mark.parametrize("unit", [0.001, 1.0, 1000.0])

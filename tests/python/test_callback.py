@@ -208,7 +208,7 @@ def test_the_callback_may_register_clouds_itself(pair):
     assert inner == [alone] and outer.transformation.tobytes() == alone
 
 
-def test_prepared_clouds_beside_arrays_are_watched_too(pair):
+def test_preprocessed_clouds_beside_arrays_call_back_too(pair):
     model = pyemtr.Cloud(pair.target)
     for clouds in ((pair.source, model), (model, pair.source), (model, model)):
         seen = []

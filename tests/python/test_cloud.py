@@ -1,4 +1,4 @@
-"""pyemtr.Cloud: one cloud prepared once, for many registrations."""
+"""pyemtr.Cloud: one cloud, preprocessed once for many registrations."""
 
 import gc
 import threading
@@ -16,11 +16,11 @@ def cloud(pair):
     return pyemtr.Cloud(pair.target)
 
 
-@pytest.mark.parametrize("prepared", ["source", "target", "both"])
-def test_the_same_bits_as_from_arrays(pair, cloud, prepared):
+@pytest.mark.parametrize("preprocessed", ["source", "target", "both"])
+def test_the_same_bits_as_from_arrays(pair, cloud, preprocessed):
     plain = pyemtr.register(pair.source, pair.target, threads=2, iterations=20)
-    source = pair.source if prepared == "target" else pyemtr.Cloud(pair.source, threads=1)
-    target = pair.target if prepared == "source" else cloud
+    source = pair.source if preprocessed == "target" else pyemtr.Cloud(pair.source, threads=1)
+    target = pair.target if preprocessed == "source" else cloud
     found = pyemtr.register(source, target, threads=2, iterations=20)
     assert bits(found) == bits(plain)
     assert (found.points_source, found.points_target) == (len(pair.source), len(pair.target))
@@ -108,7 +108,7 @@ def test_bad_points_are_refused(points, error, text):
         pyemtr.Cloud(points)
 
 
-def test_bad_threads_and_partners_are_refused(pair, cloud):
+def test_bad_threads_and_inputs_are_refused(pair, cloud):
     with pytest.raises(ValueError, match="threads"):
         pyemtr.Cloud(pair.source, threads=-1)
     with pytest.raises(TypeError, match="threads"):

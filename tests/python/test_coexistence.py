@@ -27,7 +27,7 @@ def bits(pair, seed=0, **settings):
 
 
 def child(code, tmp_path, **variables):
-    """Runs code that has a pair and its bits; what it prints."""
+    """Runs code that has a pair and its bits; returns what it prints."""
     start = """
         import numpy, sys, shapes
         pair = shapes.make_pair(1)
@@ -115,9 +115,9 @@ OPENMP_USERS = """
     from sklearn.cluster import KMeans
     from scipy.spatial import cKDTree
     def others():
-        centres = KMeans(4, n_init=1, random_state=0).fit(pair.source).cluster_centers_
+        centers = KMeans(4, n_init=1, random_state=0).fit(pair.source).cluster_centers_
         near = cKDTree(pair.source).query(pair.target, workers=2)[0]
-        return centres.tobytes() + near.tobytes() + (pair.source.T @ pair.source).tobytes()
+        return centers.tobytes() + near.tobytes() + (pair.source.T @ pair.source).tobytes()
     theirs, before = others(), bits()
     assert others() == theirs and bits() == before
     sys.stdout.write(before.hex())

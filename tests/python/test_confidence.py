@@ -28,8 +28,8 @@ def twofold():
 
 def test_the_figures_belong_together(solved):
     assert solved.registered and 0.9 < solved.confidence <= 1
-    assert solved.score == pytest.approx(solved.fit - 2 * solved.violation)
-    assert 0 < solved.fit <= 1 and 0 <= solved.violation <= 1
+    assert solved.score == pytest.approx(solved.surface_fit - 2 * solved.violation)
+    assert 0 < solved.surface_fit <= 1 and 0 <= solved.violation <= 1
     assert 0 < solved.score_gap <= solved.score
     assert solved.seeds > 0 and 1 + len(solved.alternatives) <= solved.candidates
     assert solved.refined is True and solved.used_fallback_search is False
@@ -37,7 +37,7 @@ def test_the_figures_belong_together(solved):
 
 def test_the_paper_preset_has_none(pair):
     found = pyemtr.register(pair.source, pair.target, preset="paper", threads=2)
-    for name in ("confidence", "score", "fit", "violation", "score_gap"):
+    for name in ("confidence", "score", "surface_fit", "violation", "score_gap"):
         assert np.isnan(getattr(found, name)), name
     assert (found.seeds, found.candidates, found.alternatives) == (0, 0, [])
     assert found.refined is False and found.unconstrained_directions is None
@@ -84,7 +84,8 @@ def test_alternatives_are_other_poses_best_first(twofold):
         for other in poses[1:i]:
             assert (
                 shapes.rotation_error(pose, other) > 9.99
-                or shapes.centroid_error(pose, other, twofold.source) > 0.149 * found.scale
+                or shapes.centroid_error(pose, other, twofold.source)
+                > 0.149 * found.normalization_scale
             )
 
 

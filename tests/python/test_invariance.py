@@ -66,9 +66,11 @@ cases = st.builds(shape, st.integers(1, 3))
 def expect_near(case: Case, transformation, tolerance) -> None:
     angle, offset = tolerance
     wanted = case.result.transformation
-    centre = np.append(case.result.center_source, 1)
+    center = np.append(case.result.center_source, 1)
     assert rotation_error(transformation, wanted) < angle  # degrees
-    moved = np.linalg.norm(((transformation - wanted) @ centre)[:3]) / case.result.scale
+    moved = (
+        np.linalg.norm(((transformation - wanted) @ center)[:3]) / case.result.normalization_scale
+    )
     assert moved < offset
 
 
@@ -81,7 +83,7 @@ def permuted(case: Case, seed: int) -> None:
 
 def moved(case: Case, seed: int) -> None:
     rng = np.random.default_rng(seed)
-    reach = 3 * case.result.scale
+    reach = 3 * case.result.normalization_scale
     A, B = shapes.random_transformation(rng, reach), shapes.random_transformation(rng, reach)
     result = pyemtr.register(shapes.apply(A, case.source), shapes.apply(B, case.target))
     assert result.registered
@@ -98,10 +100,10 @@ def in_another_unit(case: Case, unit: float) -> None:
 
 def far_away(case: Case, offset: float) -> None:
     result = pyemtr.register(case.source + offset, case.target + offset)
-    shift = np.eye(4)
-    shift[:3, 3] = offset
+    translation = np.eye(4)
+    translation[:3, 3] = offset
     assert result.registered
-    expect_near(case, np.linalg.inv(shift) @ result.transformation @ shift, ROUNDING)
+    expect_near(case, np.linalg.inv(translation) @ result.transformation @ translation, ROUNDING)
 
 
 def swapped(case: Case) -> None:

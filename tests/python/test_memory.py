@@ -39,7 +39,7 @@ def register(source, target):
     assert np.isfinite(pyemtr.register(source, target, **QUICK).transformation).all()
 
 
-def prepared(source, target):
+def preprocessed(source, target):
     clouds = pyemtr.Cloud(source), pyemtr.Cloud(target)
     for settings in (QUICK, {**QUICK, "preset": "fast"}):
         pyemtr.register(*clouds, **settings)
@@ -51,7 +51,7 @@ def stages(source, target):
     problem.solve()
 
 
-def handed(source, target):
+def user_provided(source, target):
     given = {
         "source_normals": source,
         "target_normals": target,
@@ -96,9 +96,9 @@ def interrupted(source, target):
     ("call", "calls"),
     [
         (register, 1000),
-        (prepared, 250),
+        (preprocessed, 250),
         (stages, 250),
-        (handed, 350),
+        (user_provided, 350),
         (residuals, 500),
         (refused, 1000),
         (interrupted, 500),

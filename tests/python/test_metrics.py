@@ -75,10 +75,10 @@ def test_translation_error_is_the_displacement_of_the_center(first, second, t1, 
 
 @settings(deadline=None)
 @given(rotations, rotations, vectors, vectors, vectors, vectors, st.floats(0.1, 10.0))
-def test_translation_error_is_the_papers_in_the_normalised_frame(
+def test_translation_error_is_the_papers_in_the_normalized_frame(
     first, second, t1, t2, source, target, scale
 ):
-    # The paper compares translations after both clouds were centred and divided by scale.
+    # The paper compares translations after both clouds were centered and divided by scale.
     normalized = [(r.apply(source) + t - target) / scale for r, t in ((first, t1), (second, t2))]
     expected = np.linalg.norm(normalized[0] - normalized[1])
     error = translation_error(pose(first, t1), pose(second, t2), source, scale)
@@ -98,14 +98,14 @@ def test_translation_error_does_not_depend_on_the_unit(rotation, t, c, unit):
 
 
 @pytest.mark.parametrize(
-    ("degrees", "shift", "expected"),
+    ("degrees", "translation", "expected"),
     [(4.9, 0.059, True), (5.1, 0.0, False), (0.0, 0.061, False), (6.0, 0.07, False)],
 )
-def test_joint_success_needs_both(degrees, shift, expected):
+def test_joint_success_needs_both(degrees, translation, expected):
     center, scale = np.array([10.0, -5.0, 2.0]), 40.0
     rotation = Rotation.from_euler("Z", degrees, degrees=True)
-    # A turn about the centre, then a shift of it: the two errors are independent.
-    T = pose(rotation, center - rotation.apply(center) + [shift * scale, 0.0, 0.0])
+    # A rotation about the center, then a translation of it: the two errors are independent.
+    T = pose(rotation, center - rotation.apply(center) + [translation * scale, 0.0, 0.0])
     assert joint_success(T, np.eye(4), center, scale) is expected
     assert joint_success(T, np.eye(4), center, scale, max_rotation=7.0, max_translation=0.08)
 

@@ -7,24 +7,24 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 angle = st.floats(-10, 10)
-shift = st.floats(-2, 2)
+translation = st.floats(-2, 2)
 
 
 def expected(problem, particle):
     return oracles.transformation(
-        particle, problem.scale, problem.center_source, problem.center_target
+        particle, problem.normalization_scale, problem.center_source, problem.center_target
     )
 
 
 @settings(max_examples=200, deadline=None)
-@given(particle=st.tuples(angle, angle, angle, shift, shift, shift))
+@given(particle=st.tuples(angle, angle, angle, translation, translation, translation))
 def test_a_particle_becomes_its_matrix(problem, particle):
     found = problem.to_transformation(particle)
     np.testing.assert_allclose(found, expected(problem, np.array(particle)), atol=1e-12)
 
 
 @settings(max_examples=200, deadline=None)
-@given(particle=st.tuples(angle, angle, angle, shift, shift, shift))
+@given(particle=st.tuples(angle, angle, angle, translation, translation, translation))
 def test_there_and_back_is_the_same_pose(problem, particle):
     matrix = problem.to_transformation(particle)
     back = problem.to_particle(matrix)
@@ -49,7 +49,7 @@ def test_gimbal_lock_keeps_the_pose(problem, pole, turn):
 
 def test_the_identity_in_the_user_frame_is_not_zero_translation(problem):
     particle = problem.to_particle(np.eye(4))
-    gap = (problem.center_source - problem.center_target) / problem.scale
+    gap = (problem.center_source - problem.center_target) / problem.normalization_scale
     np.testing.assert_allclose(particle, [0, 0, 0, *gap], atol=1e-12)
 
 

@@ -1,4 +1,4 @@
-"""The package as it is installed: version, symbols, company in one process."""
+"""The package as it is installed: version, symbols, imports."""
 
 import re
 import shutil
@@ -31,7 +31,7 @@ def test_all_public_names_are_there_and_documented():
 
 
 @pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")
-def test_the_module_shows_nothing_but_its_initialiser():
+def test_the_module_shows_nothing_but_its_initializer():
     """So that it works beside Open3D, PCL and libemtr in one process, in any order."""
     out = subprocess.run(
         ["nm", "-D", "--defined-only", _emtr.__file__],

@@ -39,27 +39,27 @@ def ran(monkeypatch):
 
 def test_all_at_first_and_then_what_has_changed(repository, ran, tmp_path):
     folder = tmp_path / "venv"
-    assert environment.prepare(folder) == folder / "bin" / "python"
+    assert environment.make_environment(folder) == folder / "bin" / "python"
     assert ran == ["venv", "--requirement", "--force-reinstall"]
     (repository / "libemtr" / "__pycache__" / "c.pyc").touch()
-    environment.prepare(folder)
+    environment.make_environment(folder)
     assert len(ran) == 3
     (repository / "build" / "lib.linux").mkdir(parents=True)
     (repository / "libemtr" / "a.cpp").write_text("changed")
-    environment.prepare(folder)
+    environment.make_environment(folder)
     assert ran[3:] == ["--force-reinstall"] and not (repository / "build" / "lib.linux").exists()
     (repository / "requirements.txt").write_text("another library")
-    environment.prepare(folder)
+    environment.make_environment(folder)
     assert ran[4:] == ["--requirement", "--force-reinstall"]
 
 
 def test_half_an_installation_is_none(repository, ran, tmp_path, monkeypatch):
-    environment.prepare(tmp_path / "venv")
+    environment.make_environment(tmp_path / "venv")
     (repository / "setup.py").write_text("changed")
     with monkeypatch.context() as broken, pytest.raises(environment.EnvironmentFailure):
         broken.setattr(environment, "_run", fails)
-        environment.prepare(tmp_path / "venv")
-    environment.prepare(tmp_path / "other")
+        environment.make_environment(tmp_path / "venv")
+    environment.make_environment(tmp_path / "other")
     assert ran[3:] == ["venv", "--requirement", "--force-reinstall"]
     assert not (tmp_path / "venv" / "peers.stamp").exists()
 

@@ -32,7 +32,7 @@ def shell(count: int = 4000, seed: int = 0) -> np.ndarray:
 
 
 def pose() -> np.ndarray:
-    """Source into target: a quarter turn about x, and a shift."""
+    """Source into target: a quarter turn about x, and a translation."""
     matrix = np.eye(4)
     matrix[:3, :3] = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
     matrix[:3, 3] = [4, 5, 6]

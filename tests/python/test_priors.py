@@ -10,7 +10,13 @@ from shapes import bits
 
 import pyemtr
 
-SMALL = {"threads": 1, "iterations": 3, "population": 8, "fallback_search": "off", "dense_points": 1500}
+SMALL = {
+    "threads": 1,
+    "iterations": 3,
+    "population": 8,
+    "fallback_search": "off",
+    "dense_points": 1500,
+}
 
 
 @pytest.fixture(scope="module")
@@ -66,12 +72,12 @@ def random_priors(rng, which, T, cloud):
         G[:3, :3] = Rotation.from_rotvec(
             np.radians(turn) * shapes.directions(rng, 1)[0]
         ).as_matrix()
-        center, shift = cloud.mean(axis=0), rng.uniform(-0.3, 0.3, 3)
+        center, translation = cloud.mean(axis=0), rng.uniform(-0.3, 0.3, 3)
         to = T[:3, :3] @ center + T[:3, 3]
-        G[:3, 3] = to - G[:3, :3] @ to + shift
+        G[:3, 3] = to - G[:3, :3] @ to + translation
         wanted["guess"] = (G @ T).tolist()
         wanted["guess_rotation"] = turn + rng.uniform(0.001, 10)
-        wanted["guess_translation"] = np.linalg.norm(shift) + rng.uniform(0.001, 0.2)
+        wanted["guess_translation"] = np.linalg.norm(translation) + rng.uniform(0.001, 0.2)
     if which & 2:
         axis, degrees = vector_of(T)
         wanted["axis"] = (rng.uniform(0.1, 10) * axis).tolist()

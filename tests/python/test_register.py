@@ -55,8 +55,8 @@ def test_same_seed_same_bits_for_any_threads_and_both_ways(pair, preset):
 
 
 def test_each_seed_is_its_own(pair):
-    # The swarm alone, for its seeds and the polish lead all to one pose. The last two differ only
-    # beyond what a double can hold.
+    # The swarm runs alone: seeds and refinement would all lead to one pose. The last two seeds
+    # differ only beyond what a double can hold.
     seeds = [0, 1, 2**53, 2**53 + 1, 2**64 - 2, 2**64 - 1, np.uint64(5)]
     results = [
         pyemtr.register(pair.source, pair.target, seed=seed, preset="paper", **QUICK)
@@ -100,7 +100,9 @@ def test_the_fields_say_what_happened(pair, solved):
     assert sum(seconds for stage, seconds in solved.timings.items() if stage != "total") == (
         pytest.approx(solved.timings["total"])
     )
-    assert all(seconds > 0 for stage, seconds in solved.timings.items() if stage != "fallback_search")
+    assert all(
+        seconds > 0 for stage, seconds in solved.timings.items() if stage != "fallback_search"
+    )
     assert 0 <= solved.fitness <= 1 and 0 < solved.inlier_ratio_source <= 1
     np.testing.assert_allclose(solved.center_source, pair.source.mean(axis=0), atol=1e-12)
 

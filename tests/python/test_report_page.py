@@ -9,9 +9,9 @@ from accuracy_fakes import FakeEngine
 from emtr_bench import accuracy, pairs, records
 from emtr_bench.calibration.figures import calibration
 from emtr_bench.calibration.judged import Judged
-from emtr_bench.document.page import page
-from emtr_bench.document.parts import NAMES, Part, all_parts
 from emtr_bench.peers import output, runs
+from emtr_bench.report.page import page
+from emtr_bench.report.parts import NAMES, Part, all_parts
 from peers_fakes import FakeMethod
 
 MACHINE = {"date": "today", "revision": "abc", "load average": "0.1", "cpu": "a fine one"}
@@ -121,7 +121,7 @@ def test_costs_are_rendered(tmp_path):
                     "sizes": [{"points": 5000, "stages": {"normalization": 0.5}, "seconds": 1.5,
                                "peak_bytes": 3e6, "memory_over_input": 2.5, "E_R": 0.25}]},
         "neighbors": {"benchmarks": [
-            {"run_type": "iteration", "run_name": f"{name}/random/600", "look_up": seconds}
+            {"run_type": "iteration", "run_name": f"{name}/random/600", "query": seconds}
             for name, seconds in (("flann", 5e-7), ("flann", 7e-7), ("flann", 6e-7),
                                   ("grid", 4e-9))]},
         "regress": {"toolchain": {"pcl": "1"},

@@ -3,9 +3,9 @@
 import argparse
 
 import pytest
-from emtr_bench.document import arguments, program, running
-from emtr_bench.document.parts import NAMES, Part
 from emtr_bench.locations import REPOSITORY
+from emtr_bench.report import arguments, program, running
+from emtr_bench.report.parts import NAMES, Part
 
 
 def script(folder, name, body):

@@ -95,7 +95,7 @@ def test_bad_arguments_are_refused(arguments, changes, error, text):
         pyemtr.residuals(*arguments, **changes)
 
 
-def test_a_prepared_cloud_has_not_kept_its_points(pair):
+def test_a_preprocessed_cloud_has_not_kept_its_points(pair):
     with pytest.raises(TypeError, match="target"):
         pyemtr.residuals(pair.source, pyemtr.Cloud(pair.target))
 
@@ -103,7 +103,7 @@ def test_a_prepared_cloud_has_not_kept_its_points(pair):
 def test_the_overlap_is_that_of_the_residuals(pair, solved):
     # The same points, but against the target as it is and not its fine cloud.
     distances = nearest(solved.apply(pair.source), pair.target)
-    leaf = solved.leaf_fine * solved.scale
+    leaf = solved.leaf_fine * solved.normalization_scale
     assert solved.overlap_source == pytest.approx((distances < leaf).mean(), abs=0.05)
     assert 0.5 < solved.overlap_source < 1 and 0.5 < solved.overlap_target < 1
     assert solved.inlier_rmse < leaf

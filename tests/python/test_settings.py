@@ -1,4 +1,4 @@
-"""Settings by name: described, checked, and nothing passed over in silence."""
+"""Settings by name: listed, checked, and none ignored in silence."""
 
 import math
 
@@ -16,7 +16,7 @@ TURN = np.array([[0.0, 1.0, 0.0], [-0.6, 0.0, 0.8], [0.8, 0.0, 0.6]])
 
 
 def used(**changes):
-    return settings_used(make_settings(0, 0, "default", None, changes))
+    return settings_used(make_settings("default", changes))
 
 
 def test_every_setting_is_described():
@@ -45,7 +45,7 @@ def test_the_defaults_are_the_default_preset():
 
 
 def test_the_paper_preset_is_the_method_as_published():
-    paper = settings_used(make_settings(0, 0, "paper", None, {}))
+    paper = settings_used(make_settings("paper", {}))
     assert (paper["iterations"], paper["dense_points"], paper["sparse_points"]) == (100, 4000, 600)
     assert paper["seeds"] == paper["injected_seeds"] == paper["candidates"] == 0
     assert paper["fallback_search"] == "off" and paper["features"] == "pcl"
@@ -87,7 +87,7 @@ def test_a_value_in_range_is_kept_and_one_outside_is_refused(data, name):
     else:
         value = data.draw(st.integers(int(low), int(high)))
         outside = [int(low) - 1, int(high) + 1, 2**63, -(2**40)]
-    found = make_settings(0, 0, "default", None, {name: value}).get(name)
+    found = make_settings("default", {name: value}).get(name)
     assert found == value
     with pytest.raises(ValueError, match=name):
         used(**{name: data.draw(st.sampled_from(outside))})

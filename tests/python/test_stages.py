@@ -1,4 +1,4 @@
-"""Problem, TaskAlpha and TaskBeta: for those who bring their own optimiser."""
+"""Problem, TaskAlpha and TaskBeta: for use with another optimizer."""
 
 import gc
 import threading
@@ -73,7 +73,7 @@ def test_without_any_match_the_arrays_are_empty_but_whole(pair):
 
 
 @pytest.mark.parametrize("stage", ["sparse", "dense"])
-def test_a_particle_costs_the_same_alone_and_in_company(problem, stage):
+def test_a_particle_costs_the_same_alone_and_among_others(problem, stage):
     task = pyemtr.TaskAlpha(problem, stage=stage)
     particles = np.random.default_rng(2).uniform(*task.bounds.T, (40, 6))
     together = task.evaluate(particles)
@@ -115,7 +115,7 @@ def test_the_settings_reach_the_problem(pair):
     assert pyemtr.TaskAlpha(other).bounds[3].tolist() == [-0.7, 0.7]
 
 
-def test_lookups_are_counted(problem):
+def test_queries_are_counted(problem):
     particles = np.zeros((7, 6))
     before = problem.queries
     problem.evaluate_alpha(particles, "sparse")
@@ -128,7 +128,7 @@ def test_lookups_are_counted(problem):
     assert problem.queries == dense
 
 
-def test_another_optimiser_can_drive_alpha(problem, pair):
+def test_another_optimizer_can_drive_alpha(problem, pair):
     task = pyemtr.TaskAlpha(problem)
     truth = problem.to_particle(pair.truth)
     start = truth + [0.03, -0.02, 0.03, 0.01, 0.01, -0.01]

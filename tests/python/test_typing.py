@@ -58,6 +58,7 @@ def test_the_package_itself_passes(tmp_path):
             "arrays",
             "cloud",
             "distances",
+            "inputs",
             "options",
             "problem",
             "progress",

@@ -64,8 +64,8 @@ def test_correspondences_register_though_most_are_wrong(known, wrong):
     result = pyemtr.register(known.source, known.target, correspondences=pairs, threads=2)
     assert result.registered and known.error(result) < 0.02
     assert result.correspondences == 600
-    prepared = [pyemtr.Cloud(cloud) for cloud in (known.source, known.target)]
-    assert bits(pyemtr.register(*prepared, correspondences=pairs.tolist())) == bits(result)
+    preprocessed = [pyemtr.Cloud(cloud) for cloud in (known.source, known.target)]
+    assert bits(pyemtr.register(*preprocessed, correspondences=pairs.tolist())) == bits(result)
 
 
 @pytest.mark.parametrize("numbers", [3, 33, 128])
@@ -73,7 +73,7 @@ def test_features_of_any_dimension_register(known, numbers):
     features = known.features(numbers)
     result = pyemtr.register(known.source, known.target, threads=2, **features)
     assert result.registered and known.error(result) < 0.02
-    # of any type, layout and strides; and with clouds that are prepared
+    # of any type, layout and strides; and with preprocessed clouds
     odd = {name: np.asfortranarray(values, np.float64) for name, values in features.items()}
     assert bits(pyemtr.register(known.source, known.target, **odd)) == bits(result)
     wide = np.repeat(features["source_features"], 2, axis=1)[:, ::2]
@@ -87,9 +87,9 @@ def test_features_of_any_dimension_register(known, numbers):
     ) == bits(result)
 
 
-def test_own_features_handed_in_give_the_own_matches(known):
+def test_the_library_s_features_give_its_own_correspondences(known):
     own = pyemtr.Problem(known.source, known.target)
-    handed = pyemtr.Problem(
+    given_own = pyemtr.Problem(
         own.source_dense,
         own.target_dense,
         source_features=own.source_features,
@@ -97,8 +97,8 @@ def test_own_features_handed_in_give_the_own_matches(known):
     )
     rows = np.column_stack(
         [
-            handed.source_feature_rows[handed.correspondences[:, 0]],
-            handed.target_feature_rows[handed.correspondences[:, 1]],
+            given_own.source_feature_rows[given_own.correspondences[:, 0]],
+            given_own.target_feature_rows[given_own.correspondences[:, 1]],
         ]
     )
     np.testing.assert_array_equal(rows, own.correspondences)
@@ -145,7 +145,7 @@ def test_points_may_stand_in_any_order(seed, missing, bad):
     assert {(order[s], other[t]) for s, t in matched_rows(mixed)} == matched_rows(plain)
     rows = plain.source_feature_rows
     assert np.isfinite(source_features[rows]).all() and np.isfinite(source[rows]).all()
-    expected = (source[rows] - plain.center_source) / plain.scale
+    expected = (source[rows] - plain.center_source) / plain.normalization_scale
     np.testing.assert_allclose(plain.source_feature_points, expected, atol=1e-6)
     np.testing.assert_array_equal(plain.source_features, source_features[rows])
 
@@ -183,7 +183,7 @@ def test_normals_replace_the_estimated_ones(known):
     lengths = np.linalg.norm(given.target_normals, axis=1)
     np.testing.assert_allclose(lengths, 1, atol=1e-5)
     # The mean of a cube's points is what their directions are, but for the width of the cube.
-    at = given.target_dense * given.scale + given.center_target
+    at = given.target_dense * given.normalization_scale + given.center_target
     cosine = (at * given.target_normals).sum(axis=1) / np.linalg.norm(at, axis=1)
     assert cosine.min() > 0.99
     estimated = pyemtr.Problem(known.source, known.target)
@@ -213,14 +213,14 @@ def test_what_a_cloud_tells(known):
     features = known.features(4)["target_features"].copy()
     features[:10] = np.nan
     made = pyemtr.Cloud(known.target, normals=up(known.target), features=features)
-    assert made.has_normals and made.described == len(known.target) - 10
+    assert made.has_normals and made.keypoints == len(known.target) - 10
     assert f"normals, {len(known.target) - 10} features of 4, radius" in repr(made)
     plain = pyemtr.Cloud(known.target)
-    assert not plain.has_normals and plain.described == 0
+    assert not plain.has_normals and plain.keypoints == 0
     assert "features" not in repr(plain)
 
 
-def test_a_large_prepared_cloud_keeps_its_points_when_asked():
+def test_a_large_preprocessed_cloud_keeps_its_points_when_asked():
     rng = np.random.default_rng(2)
     points = shapes.lump(rng, 210_000)
     target = points[::50]

@@ -98,7 +98,7 @@ def brought_along(
     source: NDArray[np.float32], target: NDArray[np.float32], codes: NDArray[np.float32]
 ) -> NDArray[np.int32]:
     model = pyemtr.Cloud(target, normals=target, features=codes, keep_points=True)
-    print(model.has_normals, model.described + 1)
+    print(model.has_normals, model.keypoints + 1)
     result = pyemtr.register(source, model, source_normals=source, source_features=codes)
     again = pyemtr.register(source, target, correspondences=[[0, 1], [2, 3], [4, 5]])
     print(result.confidence + again.confidence)

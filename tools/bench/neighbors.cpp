@@ -1,6 +1,6 @@
-// Nanoseconds a look-up of the nearest neighbor, truncated where the M-estimator is flat, and the
+// Measures the time of a nearest-neighbor query, truncated where the M-estimator is flat, and the
 // time to make the structure: pcl::KdTreeFLANN, nanoflann, and the candidate grid and voxel cells
-// with each kernel, for clouds of 600 to 100000 points, in random poses as a swarm begins with, and
+// with each kernel. Clouds have 600 to 100000 points, in random poses as a swarm begins with, and
 // aligned as it ends.
 #include "neighbors/neighbors.h"
 
@@ -24,7 +24,7 @@ using emtr::Cloud;
 constexpr std::size_t kPoses = 40;
 constexpr double kScale = 1.2;  // radius of the search, leaves
 
-/// A bumpy ball of about unit radius, evenly covered by n points: what a thinned scan looks like.
+/// A bumpy ball of about unit radius, evenly covered by n points: as in a downsampled scan.
 Cloud surface(std::size_t n, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> jitter(-0.3, 0.3);
@@ -70,7 +70,7 @@ std::vector<Cloud> queries(std::size_t n, bool aligned) {
   return out;
 }
 
-/// Times answer(queries, out) over all poses; a rate of items is look-ups a second.
+/// Times answer(queries, out) over all poses; the rate of items is queries a second.
 template <class Answer>
 void time_queries(benchmark::State& state, std::size_t n, bool aligned, Answer answer) {
   const std::vector<Cloud> poses = queries(n, aligned);
@@ -80,7 +80,7 @@ void time_queries(benchmark::State& state, std::size_t n, bool aligned, Answer a
     answer(poses[pose++ % kPoses], out);
     benchmark::DoNotOptimize(out.data());
   }
-  state.counters["look_up"] =
+  state.counters["query"] =
       benchmark::Counter(static_cast<double>(n), benchmark::Counter::kIsIterationInvariantRate |
                                                      benchmark::Counter::kInvert);
 }

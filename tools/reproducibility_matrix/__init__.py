@@ -1,1 +1,1 @@
-"""One result, many ways to it: the table behind tools/reproducibility."""
+"""Compares the results of every build, instruction set, number of threads and API."""

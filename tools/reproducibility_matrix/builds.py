@@ -1,4 +1,4 @@
-"""A build of everything by one compiler at one level of optimisation, in a folder of its own."""
+"""Builds everything with one compiler at one level of optimization, in a folder of its own."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ class Build:
 
     @property
     def package(self) -> Path | None:
-        """The folder with the Python package; None: the one that is installed."""
+        """The folder with the Python package; None stands for the installed one."""
         folder = self.folder / "python"
         return folder if (folder / "pyemtr").is_dir() else None
 
 
 class BuildFailure(Exception):
-    """The message has the end of what the compiler said."""
+    """A build that failed; the message ends with the last lines of the compiler."""
 
 
 def available(compiler: str) -> bool:
@@ -45,9 +45,11 @@ def available(compiler: str) -> bool:
 
 
 def make(compiler: str, level: str) -> Build:
-    """Configures and builds; quick when all is there. CMAKE_ARGS may say more to CMake."""
+    """Configures and builds; quick when nothing changed. CMAKE_ARGS adds arguments for CMake."""
     build = Build(
-        f"{compiler} {level}", REPOSITORY / "build" / "bits" / f"{compiler}{level}", level == "-O0"
+        f"{compiler} {level}",
+        REPOSITORY / "build" / "reproducibility" / f"{compiler}{level}",
+        level == "-O0",
     )
     c, cxx = COMPILERS[compiler]
     flags = f"{level} -DNDEBUG"

@@ -1,4 +1,4 @@
-"""The pairs that all ways in are tried on: a generated one, and real ones where they are."""
+"""The pairs that are registered: a generated one, and real ones where they are present."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ REAL = (
 
 
 def load(name: str, data: Path) -> tuple[Points, Points]:
-    """Source and target. Raises FileNotFoundError when there is no such pair below `data`."""
+    """Returns source and target. Raises FileNotFoundError when `data` has no such pair."""
     if name == GENERATED:
         return generated()
     folder = data / "pairs" / name
@@ -35,7 +35,7 @@ def read_ply(path: Path) -> Points:
 
 
 def generated() -> tuple[Points, Points]:
-    """Two parts of one relief, which share three quarters."""
+    """Returns two parts of one relief that share three quarters."""
     rng = np.random.default_rng(3)
     u, v = rng.uniform(-1, 1, (2, 9000))
     relief = 0.3 * np.sin(3 * u + v) * np.cos(2 * v) + 0.2 * np.exp(-8 * ((u - 0.3) ** 2 + v**2))

@@ -1,4 +1,4 @@
-"""All that a registration gives but times and names, in one form for the four ways in."""
+"""All that a registration gives but times and names, in one form for the four APIs."""
 
 from __future__ import annotations
 
@@ -13,19 +13,20 @@ SCALARS = [
     *("registered", "reason", "fitness", "inlier_ratio_source", "inlier_ratio_target"),
     *("inlier_rmse", "fitness_gap", "points_source", "points_target", "dropped_source"),
     *("dropped_target", "sparse_source", "dense_source", "dense_target", "correspondences"),
-    *("tims", "tims_pruned", "scale", "leaf_sparse", "leaf_dense", "iterations", "confidence"),
-    *("score", "fit", "violation", "score_gap", "seeds", "candidates", "used_fallback_search", "refined"),
-    *("unconstrained_directions", "overlap_source", "overlap_target", "inlier_rmse_plane", "leaf_fine"),
+    *("tims", "tims_pruned", "normalization_scale", "leaf_sparse", "leaf_dense", "iterations"),
+    *("confidence", "score", "surface_fit", "violation", "score_gap", "seeds", "candidates"),
+    *("used_fallback_search", "refined", "unconstrained_directions", "overlap_source"),
+    *("overlap_target", "inlier_rmse_plane", "leaf_fine"),
 ]
 LISTS = [
     *("transformation", "center_source", "center_target", "history_alpha", "history_beta"),
     *("alternatives", "information", "hessian_eigenvalues", "hessian_eigenvectors", "queries"),
-    *("residuals", "residuals_single"),  # of the source; single: as a file holds them
+    *("residuals", "residuals_single"),  # of the source; single: float32, as a file holds them
 ]
 
 
 def of_result(result: Any, residuals: Any) -> Fields:
-    """Of a pyemtr.Result and the residuals of its source, float64 (n,)."""
+    """Returns the fields of a pyemtr.Result and the residuals of its source, float64 (n,)."""
     values = {name: getattr(result, name) for name in SCALARS}
     values |= {name: _flat(getattr(result, name)) for name in LISTS[:3]}
     values["history_alpha"] = _flat(result.history["alpha"])
@@ -41,7 +42,7 @@ def of_result(result: Any, residuals: Any) -> Fields:
 
 
 def of_report(report: Mapping[str, Any], residuals: Any) -> Fields:
-    """Of the report of pcl_emtr, read by json, and the residuals in its cloud, float32 (n,)."""
+    """Returns the fields of pcl_emtr's JSON report and of its cloud's residuals, float32 (n,)."""
     whole = {**report, **report["quality"], **report["counts"], **report["normalization"]}
     refinement, queries = report["refinement"] or {}, report["queries"]  # none when not refined
     whole["unconstrained_directions"] = refinement.get("unconstrained_directions")
@@ -53,7 +54,11 @@ def of_report(report: Mapping[str, Any], residuals: Any) -> Fields:
     )
     others = [(other["transformation"], other["score"]) for other in report["alternatives"]]
     values["alternatives"] = [v for T, score in others for v in [*_flat(T), score]]
-    for name, length in (("information", 36), ("hessian_eigenvalues", 6), ("hessian_eigenvectors", 36)):
+    for name, length in (
+        ("information", 36),
+        ("hessian_eigenvalues", 6),
+        ("hessian_eigenvectors", 36),
+    ):
         given = refinement.get(name)
         values[name] = _flat(given) if given is not None else [math.nan] * length
     values["queries"] = [queries["evaluation"], queries["switch"], queries["complement"]]
@@ -62,7 +67,7 @@ def of_report(report: Mapping[str, Any], residuals: Any) -> Fields:
 
 
 def of_lines(text: str) -> list[Fields]:
-    """Of what the program `entries` prints: results, each "name value value ..." a line."""
+    """Returns the results that the program `entries` prints, a line "name value ..." a field."""
     results: list[Fields] = []
     for line in text.splitlines():
         name, *words = line.split()
@@ -77,7 +82,7 @@ def of_lines(text: str) -> list[Fields]:
 
 
 def differing(one: Fields, other: Fields) -> list[str]:
-    """Names of what is not the same; the shell has no residuals but single ones."""
+    """Returns the names of fields that differ; the shell has residuals in float32 only."""
     both = [name for name in SCALARS + LISTS if name in one and name in other]
     return [name for name in both if one[name] != other[name]]
 

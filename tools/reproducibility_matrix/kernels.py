@@ -12,7 +12,7 @@ NEEDED = {
 
 
 def split() -> tuple[list[str], list[str]]:
-    """Those that can be run here, and those that cannot."""
+    """Returns those that this machine can run, and those that it cannot."""
     flags: set[str] = set()
     for line in Path("/proc/cpuinfo").read_text().splitlines():
         if line.startswith("flags"):

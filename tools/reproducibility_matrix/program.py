@@ -1,4 +1,4 @@
-"""The table itself: every way to a result against the first."""
+"""Compares every result of a pair and preset with the first, and with a record."""
 
 from __future__ import annotations
 
@@ -11,41 +11,11 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
-from . import builds, clouds, kernels
+from . import builds, clouds, kernels, record
+from .arguments import parse
 from .builds import REPOSITORY, Build
 from .fields import Fields, differing
 from .runs import Run, RunFailure, by_programs, by_python, by_shell
-
-THREADS = (1, 2, 3, 4, 8)
-
-
-def parse() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="tools/reproducibility",
-        description="Builds emtr by gcc and clang at -O0, -O2 and -O3 into build/bits, registers "
-        "five real pairs and a generated one by the class, C, the shell and Python with 1 to 8 "
-        "threads and each instruction set, and once as on a machine whose mathematics library does "
-        "without FMA, and compares everything that the results say, to the last bit. Each "
-        "instruction set meets each number of threads on the generated pair; on real pairs each "
-        "meets the first number of threads, and the last each number. What is built at -O0 is ten "
-        "times slower: it does the latter on the generated pair, and real pairs once. Status 1 "
-        "when anything differs. At most as many runs at a time as there are cores.",
-    )
-    parser.add_argument("--compilers", nargs="+", choices=list(builds.COMPILERS))
-    parser.add_argument("--levels", nargs="+", choices=[level[1:] for level in builds.LEVELS])
-    parser.add_argument("--threads", nargs="+", type=int, default=list(THREADS))
-    parser.add_argument("--kernels", nargs="+", choices=list(kernels.NEEDED))
-    parser.add_argument("--presets", nargs="+", default=["default", "paper"])
-    parser.add_argument("--pairs", nargs="+", default=[clouds.GENERATED, *clouds.REAL])
-    parser.add_argument("--every", action="store_true", help="leave nothing out, which takes hours")
-    parser.add_argument(
-        "--smoke", action="store_true", help="the build of tools/check alone, one pair, 2 threads"
-    )
-    arguments = parser.parse_args()
-    if arguments.smoke:
-        arguments.threads, arguments.pairs = [2], [clouds.GENERATED]
-        arguments.presets = ["default"]
-    return arguments
 
 
 def all_builds(arguments: argparse.Namespace) -> Iterator[Build]:
@@ -65,7 +35,7 @@ def all_builds(arguments: argparse.Namespace) -> Iterator[Build]:
 def variants(
     build: Build, pair: str, names: list[str], arguments: argparse.Namespace
 ) -> Iterator[tuple[str, int, bool]]:
-    """Instruction set, threads, and whether the mathematics library is that of an old machine."""
+    """Yields instruction set, threads, and whether to use the mathematics of an old machine."""
     every = arguments.every or (pair == clouds.GENERATED and not build.slow)
     threads = arguments.threads
     if build.slow and pair != clouds.GENERATED and not arguments.every:
@@ -85,7 +55,11 @@ def results(build: Build, run: Run) -> dict[str, Fields]:
     return out
 
 
-def table(arguments: argparse.Namespace) -> int:
+def table(arguments: argparse.Namespace) -> tuple[int, record.Results]:
+    """Prints the table; returns how many results differ, and the first of each pair and preset.
+
+    Raises BuildFailure, RunFailure or OSError.
+    """
     runnable, not_here = kernels.split()
     for name in not_here:
         print(f"skipped: this machine cannot run the instruction set {name}")
@@ -125,13 +99,25 @@ def table(arguments: argparse.Namespace) -> int:
                     for line in differ[:20]:
                         print(line, flush=True)
     print(f"{compared} results, {wrong} of them different")
-    return 1 if wrong or not compared else 0
+    firsts: record.Results = {}
+    for (pair, preset), (_, fields) in first.items():
+        firsts.setdefault(pair, {})[preset] = fields
+    return wrong, firsts
 
 
 def main() -> int:
     arguments = parse()
     try:
-        return table(arguments)
-    except (builds.BuildFailure, RunFailure, OSError) as failure:
-        print(f"bits: {failure}", file=sys.stderr)
+        before = arguments.against and record.read(arguments.against, dict(arguments.renamed))
+        wrong, found = table(arguments)
+        if arguments.record and found:
+            record.write(arguments.record, found)
+            print(f"wrote {arguments.record}")
+    except (builds.BuildFailure, RunFailure, OSError, ValueError) as failure:
+        print(f"reproducibility: {failure}", file=sys.stderr)
         return 2
+    if before is not None:
+        changed = record.differences(before, found)
+        print("\n".join(changed or [f"same bits as in {arguments.against}"]))
+        wrong += len(changed)
+    return 1 if wrong or not found else 0

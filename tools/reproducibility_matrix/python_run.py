@@ -1,4 +1,5 @@
-"""python -m reproducibility_matrix.python_run SOURCE.pcd TARGET.pcd THREADS SEED PRESET: fields as JSON."""
+"""Registers by pyemtr and prints the fields as JSON; runs as a program with the arguments
+SOURCE.pcd TARGET.pcd THREADS SEED PRESET."""
 
 from __future__ import annotations
 

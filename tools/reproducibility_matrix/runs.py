@@ -1,4 +1,4 @@
-"""One registration by each of the ways in, in processes of their own."""
+"""Runs one registration by each API, in processes of their own."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ class Run:
     preset: str
     seed: int = 5
     threads: int = 1
-    kernel: str = ""  # of EMTR_KERNEL; "" for the best of this machine
-    old_libm: bool = False  # glibc's sines, logarithms etc. as for a machine without FMA
+    kernel: str = ""  # value of EMTR_KERNEL; "" for the best of this machine
+    old_libm: bool = False  # use glibc's mathematics for a machine without FMA
 
     @property
     def environment(self) -> dict[str, str]:
@@ -36,11 +36,11 @@ class Run:
 
 
 class RunFailure(Exception):
-    """A program that ended otherwise than it should; the message has its words."""
+    """A program that failed; the message has its output."""
 
 
 def by_programs(program: Path, run: Run) -> dict[str, Fields]:
-    """By the class, twice with one object, and by the C API: what `entries` prints."""
+    """Registers by the class, twice with one object, and by the C API, in the program `entries`."""
     words = [str(run.source), str(run.target), str(run.threads), str(run.seed), run.preset]
     results = of_lines(_output([str(program), *words], run.environment))
     return dict(zip(("class", "class again", "C"), results))
@@ -61,7 +61,7 @@ def by_shell(command: Path, run: Run) -> Fields:
 
 
 def by_python(run: Run, package: Path | None = None) -> Fields:
-    """In a fresh process, with the pyemtr of `package`, or the one that is installed."""
+    """Registers in a fresh process with the pyemtr in `package`, or the installed one."""
     environment = run.environment
     paths = [str(TOOLS)] + ([str(package)] if package else [])
     environment["PYTHONPATH"] = os.pathsep.join(paths)
@@ -72,7 +72,7 @@ def by_python(run: Run, package: Path | None = None) -> Fields:
 
 
 def _output(words: list[str], environment: dict[str, str], good: tuple[int, ...] = (0,)) -> str:
-    # Not where the checkout's pyemtr lies, which holds no compiled module.
+    # The checkout's root has a pyemtr without the compiled module; run elsewhere.
     done = subprocess.run(
         words, capture_output=True, text=True, check=False, env=environment, cwd=TOOLS
     )

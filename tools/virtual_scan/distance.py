@@ -45,11 +45,11 @@ def _boulder() -> tuple[Array, Array]:
 
 
 def _membrane(corners: Sequence[tuple[float, ...]]) -> tuple[Array, Array, Array]:
-    """Centre (3,), axes (3, 3) with the normal last, and corners in the plane (C, 2)."""
+    """Center (3,), axes (3, 3) with the normal last, and corners in the plane (C, 2)."""
     points = np.array(corners)
-    centre = points.mean(axis=0)
-    axes = np.linalg.svd(points - centre)[2]
-    return centre, axes, (points - centre) @ axes[:2].T
+    center = points.mean(axis=0)
+    axes = np.linalg.svd(points - center)[2]
+    return center, axes, (points - center) @ axes[:2].T
 
 
 SKIN = _segments(shape.LIMBS)
@@ -87,8 +87,8 @@ def _join(first: Array, second: Array, width: float) -> Array:
 
 
 def _wing(points: Array, wing: tuple[Array, Array, Array, int]) -> Array:
-    centre, axes, corners = (part.astype(points.dtype) for part in wing[:3])
-    local = (points - centre) @ axes.T
+    center, axes, corners = (part.astype(points.dtype) for part in wing[:3])
+    local = (points - center) @ axes.T
     plane, height = local[:, :2], local[:, 2]
     veins = 0.0025 * np.sin(45 * plane[:, 0] + 20 * plane[:, 1])
     distance = np.abs(height - 0.4 * np.sum(plane**2, axis=1) + 0.02 + veins) - 0.007

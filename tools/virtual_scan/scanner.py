@@ -11,7 +11,7 @@ from .distance import normals, signed_distance
 
 Array = NDArray[np.float64]
 
-CENTRE = np.array([-8.0, 0.0, 50.0])  # what the scanner looks at, mm
+CENTER = np.array([-8.0, 0.0, 50.0])  # what the scanner looks at, mm
 DISTANCE = 260.0  # from there to the sensor, mm
 HALF_ANGLE = np.tan(np.radians(15.5))  # of the field of view
 SAFE_STEP = 0.8  # share of the distance that a ray may advance: the distance is a bound
@@ -30,12 +30,12 @@ class Scan:
 def viewpoint(azimuth: float, elevation: float) -> Array:
     """Position (3,) of the sensor; degrees, azimuth 0 in front of the shape."""
     a, e = np.radians([azimuth, elevation])
-    return CENTRE + DISTANCE * np.array([np.sin(a) * np.cos(e), -np.cos(a) * np.cos(e), np.sin(e)])
+    return CENTER + DISTANCE * np.array([np.sin(a) * np.cos(e), -np.cos(a) * np.cos(e), np.sin(e)])
 
 
 def directions(eye: Array, pixels: int) -> Array:
     """Unit rays (pixels, pixels, 3) of a square perspective image, z up."""
-    forward = (CENTRE - eye) / np.linalg.norm(CENTRE - eye)
+    forward = (CENTER - eye) / np.linalg.norm(CENTER - eye)
     right = np.cross(forward, [0.0, 0.0, 1.0])
     right /= np.linalg.norm(right)
     down = np.cross(forward, right)

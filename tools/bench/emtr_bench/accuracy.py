@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from . import queries, pairings, records, report, summary, unrelated
+from . import accuracy_text, pairings, queries, records, summary, unrelated
 from .arguments import parser
 from .pairs import DataError, Pair, data_folder, read_manifest, select
 from .runner import Array, Options, Outcome, Run, Sensors, run_all
@@ -99,7 +99,7 @@ def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) 
     places += f", prior: {plan.options.prior}" if plan.options.prior else ""
     print(f"preset {plan.options.preset}, {plan.transforms} transforms a pair, "
           f"seeds {plan.options.seed}+, emtr {engine.version}{places}")  # fmt: skip
-    print(report.header(), flush=True)
+    print(accuracy_text.header(), flush=True)
     runs: list[Run] = []
     rows: list[summary.PairSummary] = []
     finished = run_all(plan.pairs, plan.transforms, engine.register, plan.options, plan.jobs)
@@ -109,23 +109,23 @@ def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) 
         mine = [next(finished) for _ in range(plan.transforms)]
         runs += mine
         rows.append(summary.summarise(mine))
-        print(report.row(rows[-1]), flush=True)
+        print(accuracy_text.row(rows[-1]), flush=True)
     if len({row.tier for row in rows}) > 1:
         print(_tier_mean(rows, runs, rows[-1].tier))
     average = summary.mean_figures(rows, runs)
-    print(report.rule())
-    print(report.mean_rows("mean", average, rows))
-    print(report.footer(runs, rows, average), flush=True)
+    print(accuracy_text.rule())
+    print(accuracy_text.mean_rows("mean", average, rows))
+    print(accuracy_text.footer(runs, rows, average), flush=True)
     others = list(unrelated.run_all(plan.pairings, engine.register, plan.options, plan.jobs))
     if others:
         print(unrelated.text(others))
     if arguments.failures:
-        print(report.failures(runs, lambda run: engine.fitness(run, plan.options)))
+        print(accuracy_text.failures(runs, lambda run: engine.fitness(run, plan.options)))
     if arguments.json:
         value = records.record(plan.options, engine.version, runs, rows, average, others)
         records.write(arguments.json, value)
         print(f"wrote {arguments.json}")
-    missed = report.marks(rows) + unrelated.marks(others)
+    missed = accuracy_text.marks(rows) + unrelated.marks(others)
     if arguments.require:
         print("marks: " + ("; ".join(missed) if missed else "met"))
     crashed = any(run.error for run in runs) or any(run.error for run in others)
@@ -146,4 +146,4 @@ def check_queries(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> 
 def _tier_mean(rows: list[summary.PairSummary], runs: list[Run], tier: str) -> str:
     mine = [row for row in rows if row.tier == tier]
     figures = summary.mean_figures(mine, [run for run in runs if run.pair.tier == tier])
-    return report.mean_rows(f"  mean of {tier}", figures, mine)
+    return accuracy_text.mean_rows(f"  mean of {tier}", figures, mine)

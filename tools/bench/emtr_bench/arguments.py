@@ -46,7 +46,7 @@ def parser() -> argparse.ArgumentParser:
         choices=("guess", "axis"),
         default="",
         help="tell something true of each pose: a guess within 20 degrees and 0.3 radii, or the "
-        "axis that it turns about",
+        "axis of its rotation",
     )
     add("--unrelated", type=natural, default=0, metavar="N",
         help="then N pairings of scans that do not belong together")  # fmt: skip
@@ -54,7 +54,11 @@ def parser() -> argparse.ArgumentParser:
     add("--json", type=Path, metavar="FILE", help="write every run to FILE")
     add("--failures", action="store_true",
         help="list the runs that failed, and whether the search or the objective did")  # fmt: skip
-    add("--queries", action="store_true", help="check the look-ups instead of the accuracy")
+    add(
+        "--queries",
+        action="store_true",
+        help="check the nearest-neighbor queries instead of the accuracy",
+    )
     add("--require", action="store_true", help="exit 1 when the pairs miss the paper's marks, or "
         "unrelated scans are called registered")  # fmt: skip
     add("--smoke", action="store_true",

@@ -18,7 +18,8 @@ COUNTS = (
     "points_source", "points_target", "dropped_source", "dropped_target", "sparse_source",
     "sparse_target", "dense_source", "dense_target", "correspondences",
     "correspondences_found", "tims", "tims_pruned",
-    "iterations", "threads", "seeds", "candidates", "used_fallback_search", "refined", "unconstrained_directions",
+    "iterations", "threads", "seeds", "candidates", "used_fallback_search", "refined",
+    "unconstrained_directions",
 )  # fmt: skip
 
 
@@ -30,7 +31,9 @@ class PyemtrEngine:
     def check(self, options: Options) -> None:
         """Raises ValueError, naming it, when the preset or a setting is unknown or out of range."""
         try:
-            make_settings(options.seed, options.threads, options.preset, None, options.settings)
+            make_settings(
+                options.preset, options.settings, seed=options.seed, threads=options.threads
+            )
         except TypeError as error:
             raise ValueError(str(error)) from error
 

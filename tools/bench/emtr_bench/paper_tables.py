@@ -12,7 +12,7 @@ from typing import NamedTuple
 MEAN_SUCCESS = 87.7  # percent, over all rows
 LOWEST_SUCCESS = 75.0  # percent, of any row
 MEAN_SECONDS = 7.39  # a registration, 15.58 without sparse-to-dense
-RATIO_RANGE = (0.47, 0.52)  # look-ups with sparse-to-dense / without: 48.4 to 51.5 % published
+RATIO_RANGE = (0.47, 0.52)  # queries with sparse-to-dense / without: 48.4 to 51.5 % published
 
 
 class Spread(NamedTuple):

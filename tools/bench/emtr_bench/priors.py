@@ -1,5 +1,4 @@
-"""What a run may be told of its pose: a guess that is near the truth, or the axis that it turns
-about."""
+"""Priors of a run: a guess near the true pose, or the axis of the true rotation."""
 
 from __future__ import annotations
 
@@ -29,11 +28,11 @@ def prior(
         return {"axis": np.linalg.svd(R_true - np.eye(3))[2][2]}  # what it leaves as it is
     rng = np.random.default_rng([zlib.crc32(pair.encode()), index, 1])
     off = _rotation(_direction(rng), np.radians(rng.uniform(0, GUESS_DEGREES)))
-    shift = scale * rng.uniform(0, GUESS_RADII) * _direction(rng)
+    translation = scale * rng.uniform(0, GUESS_RADII) * _direction(rng)
     guess = np.eye(4)
     guess[:3, :3] = off @ R_true
-    # Where the centroid belongs, and the shift.
-    guess[:3, 3] = R_true @ center + T_true[:3, 3] + shift - guess[:3, :3] @ center
+    # The centroid ends at its true position plus the translation.
+    guess[:3, 3] = R_true @ center + T_true[:3, 3] + translation - guess[:3, :3] @ center
     return {
         "guess": guess,
         "guess_rotation": GUESS_DEGREES,
@@ -49,5 +48,5 @@ def _direction(rng: np.random.Generator) -> Array:
 def _rotation(axis: Array, angle: float) -> Array:
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    turned = np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross
-    return np.asarray(turned, dtype=np.float64)
+    rotation = np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross
+    return np.asarray(rotation, dtype=np.float64)

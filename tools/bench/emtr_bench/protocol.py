@@ -25,12 +25,12 @@ LARGE_ANGLES = np.array([math.pi, math.pi / 2, math.pi])
 
 @dataclass(frozen=True)
 class Motion:
-    """A rigid motion M of the aligned source: R turns it about its centroid, t shifts it."""
+    """A rigid motion M of the aligned source: R rotates it about its centroid, t translates it."""
 
     index: int
     kind: str  # one of CLASSES
     angles: Array  # alpha, beta, gamma: Z-Y-X Euler angles in radians
-    shift: Array  # user's unit
+    translation: Array  # user's unit
     matrix: Array  # (4, 4), aligned source -> moved source
 
     @property
@@ -47,15 +47,15 @@ def motion(pair: str, index: int, aligned: Array) -> Motion:
     diagonal = float(np.linalg.norm(np.ptp(aligned, axis=0)))
     if kind == "any":
         angles = rng.uniform(-LARGE_ANGLES, LARGE_ANGLES)
-        shift = rng.uniform(-diagonal, diagonal, 3)
+        translation = rng.uniform(-diagonal, diagonal, 3)
     else:
-        rotation, translation = kind.split("x")
+        rotation, distance = kind.split("x")
         angles = _signed(rng, *_angle_limits(rotation))
-        shift = _signed(rng, *_shift_limits(translation, diagonal))
+        translation = _signed(rng, *_translation_limits(distance, diagonal))
     R = euler_zyx(angles)
-    # About the centroid, so that the class of the translation says how far the cloud went.
+    # The rotation is about the centroid, so that the translation says how far the cloud went.
     center = aligned.mean(axis=0)
-    return Motion(index, kind, angles, shift, _rigid(R, center + shift - R @ center))
+    return Motion(index, kind, angles, translation, _rigid(R, center + translation - R @ center))
 
 
 def euler_zyx(angles: Array) -> Array:
@@ -84,8 +84,8 @@ def _angle_limits(rotation: str) -> tuple[Array, Array]:
     return SMALL_ANGLES, LARGE_ANGLES
 
 
-def _shift_limits(translation: str, diagonal: float) -> tuple[Array, Array]:
-    low, high = (0.0, 0.5) if translation == "ST" else (0.5, 1.0)
+def _translation_limits(distance: str, diagonal: float) -> tuple[Array, Array]:
+    low, high = (0.0, 0.5) if distance == "ST" else (0.5, 1.0)
     return np.full(3, low * diagonal), np.full(3, high * diagonal)
 
 

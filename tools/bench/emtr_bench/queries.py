@@ -1,6 +1,6 @@
 """Checks the cost the library counts against the paper's formula.
 
-With sparse-to-dense P I (delta N_s + (1 - delta) (N_d + M_d)) nearest neighbor look-ups in
+With sparse-to-dense P I (delta N_s + (1 - delta) (N_d + M_d)) nearest-neighbor queries in
 the evaluations of task alpha, without it P I (N_d + M_d).
 """
 
@@ -66,7 +66,7 @@ def check(pair: Pair, register: Register, options: Options) -> Check:
 
 def header() -> str:
     return (
-        "look-ups of task alpha's evaluations against the paper's formula; ratio asked for: "
+        "queries of task alpha's evaluations against the paper's formula; ratio asked for: "
         f"{100 * RATIO_RANGE[0]:g} to {100 * RATIO_RANGE[1]:g} %\n"
         f"{'pair':<27}{'N_s':>6}{'N_d+M_d':>9}{'with: formula':>15}{'counted':>12}"
         f"{'without: formula':>18}{'counted':>12}{'ratio %':>9}{'paper':>7}"

@@ -19,10 +19,10 @@ from .arguments import natural, positive
 from .records import write
 
 SIZES = (1000, 3000, 10000, 30000, 100000, 300000, 1000000, 3000000, 10000000)
-SMOKE_SIZES = (1000, 30000, 210000)  # the last is large enough to be thinned first
+SMOKE_SIZES = (1000, 30000, 210000)  # the last is large enough to be downsampled first
 STAGES = (
-    "normalization", "downsampling", "features", "matching", "seeds", "evolution", "candidates", "fallback_search",
-    "refinement", "verdict",
+    "normalization", "downsampling", "features", "matching", "seeds", "evolution", "candidates",
+    "fallback_search", "refinement", "verdict",
 )  # fmt: skip
 TOOLS = Path(__file__).resolve().parents[1]
 

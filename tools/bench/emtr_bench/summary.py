@@ -25,7 +25,7 @@ class Figures:
     median_rotation: float  # degrees, of successes, as all errors
     rotation: Spread  # degrees
     translation: Spread  # x 100, normalized frame
-    evaluation: float  # look-ups in millions, mean over runs
+    evaluation: float  # queries in millions, mean over runs
     switch: float
     complement: float
     seconds: float  # wall, mean over runs

@@ -22,7 +22,7 @@ class EnvironmentFailure(Exception):
     """The environment could not be made; the message says which command failed."""
 
 
-def prepare(folder: Path) -> Path:
+def make_environment(folder: Path) -> Path:
     """Makes or updates the environment and gives its interpreter. Quick when all is there."""
     python = folder / "bin" / "python"
     stamp = folder / "peers.stamp"

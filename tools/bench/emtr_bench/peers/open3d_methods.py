@@ -25,7 +25,7 @@ RANSAC_POINTS, RANSAC_ITERATIONS, RANSAC_CONFIDENCE = 3, 100000, 0.999
 
 def ransac(source: Array, target: Array, task: Task) -> Array:
     open3d.utility.random.seed(task.seed)
-    (a, a_features), (b, b_features) = (_described(cloud, task) for cloud in (source, target))
+    (a, a_features), (b, b_features) = (_with_features(cloud, task) for cloud in (source, target))
     distance = RANSAC_DISTANCE * task.voxel
     result = _registration.registration_ransac_based_on_feature_matching(
         a, b, a_features, b_features, True, distance,
@@ -39,7 +39,7 @@ def ransac(source: Array, target: Array, task: Task) -> Array:
 
 def fast_global_registration(source: Array, target: Array, task: Task) -> Array:
     open3d.utility.random.seed(task.seed)
-    (a, a_features), (b, b_features) = (_described(cloud, task) for cloud in (source, target))
+    (a, a_features), (b, b_features) = (_with_features(cloud, task) for cloud in (source, target))
     option = _registration.FastGlobalRegistrationOption(
         maximum_correspondence_distance=FGR_DISTANCE * task.voxel
     )
@@ -60,7 +60,7 @@ def point_to_plane_icp(source: Array, target: Array, start: Array, task: Task) -
     return np.array(result.transformation)
 
 
-def _described(points: Array, task: Task) -> tuple[Any, Any]:
+def _with_features(points: Array, task: Task) -> tuple[Any, Any]:
     cloud = _cloud(points).voxel_down_sample(task.voxel)
     cloud.estimate_normals(_neighborhood(NORMAL_RADIUS * task.voxel, NORMAL_NEIGHBORS))
     radius = FEATURE_RADIUS * task.voxel

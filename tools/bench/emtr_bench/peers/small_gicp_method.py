@@ -8,13 +8,13 @@ import small_gicp
 from .methods import Array, Task
 from .units import Unit
 
-# Its defaults take correspondences up to a length of 1 and thin the clouds to 0.25: the voxel
+# Its defaults take correspondences up to a length of 1 and downsample the clouds to 0.25: the voxel
 # becomes that 1, as for the other refinement.
 VOXEL = 1.0
 
 
 def gicp(source: Array, target: Array, start: Array, task: Task) -> Array:
-    """Thinning, kd-trees and covariances are made here and count."""
+    """Downsampling, kd-trees and covariances are made here and count."""
     unit = Unit.of(source, target, VOXEL / task.voxel)
     result = small_gicp.align(
         unit.target(target), unit.source(source), unit.pose_to(start),

@@ -66,9 +66,14 @@ def stages(arguments: argparse.Namespace) -> int:
 
 def _profile_table(profiles: list[dict[str, Any]]) -> str:
     names = list(profiles[0]["seconds"])
-    lines = ["", f"{'median seconds':<16}{'threads':>8}" + "".join(f"{n:>12}" for n in names)]
+    widths = {name: max(12, len(name) + 2) for name in names}
+    heads = "".join(f"{name:>{width}}" for name, width in widths.items())
+    lines = ["", f"{'median seconds':<16}{'threads':>8}{heads}"]
     for row in profiles:
-        cells = "".join(f"{number(row['seconds'][name]['median'], 4):>12}" for name in names)
+        cells = "".join(
+            f"{number(row['seconds'][name]['median'], 4):>{width}}"
+            for name, width in widths.items()
+        )
         lines.append(f"{row['preset']:<16}{row['threads']:>8}{cells}")
     return "\n".join(lines)
 

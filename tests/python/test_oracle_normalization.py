@@ -6,39 +6,39 @@ import pytest
 import shapes
 
 
-def test_centres_and_one_scale(problem, pair):
-    centres = pair.source.mean(axis=0), pair.target.mean(axis=0)
-    np.testing.assert_allclose(problem.center_source, centres[0], atol=1e-12)
-    np.testing.assert_allclose(problem.center_target, centres[1], atol=1e-12)
+def test_centers_and_one_scale(problem, pair):
+    centers = pair.source.mean(axis=0), pair.target.mean(axis=0)
+    np.testing.assert_allclose(problem.center_source, centers[0], atol=1e-12)
+    np.testing.assert_allclose(problem.center_target, centers[1], atol=1e-12)
     radii = [
-        np.linalg.norm(cloud - centre, axis=1).max()
-        for cloud, centre in zip((pair.source, pair.target), centres)
+        np.linalg.norm(cloud - center, axis=1).max()
+        for cloud, center in zip((pair.source, pair.target), centers)
     ]
-    assert problem.scale == pytest.approx(max(radii), rel=1e-12)
+    assert problem.normalization_scale == pytest.approx(max(radii), rel=1e-12)
 
 
-@pytest.mark.parametrize("density", ["dense", "sparse"])
+@pytest.mark.parametrize("level", ["dense", "sparse"])
 @pytest.mark.parametrize("side", ["source", "target"])
-def test_thinned_clouds_lie_on_the_normalised_ones(problem, pair, side, density):
-    thinned = getattr(problem, f"{side}_{density}").astype(float)
-    whole = (getattr(pair, side) - getattr(problem, f"center_{side}")) / problem.scale
-    leaf = getattr(problem, f"leaf_{density}")
-    assert np.linalg.norm(thinned, axis=1).max() <= 1 + 1e-6
-    assert oracles.nearest(thinned, whole)[0].max() < leaf
+def test_downsampled_clouds_lie_on_the_normalized_ones(problem, pair, side, level):
+    downsampled = getattr(problem, f"{side}_{level}").astype(float)
+    whole = (getattr(pair, side) - getattr(problem, f"center_{side}")) / problem.normalization_scale
+    leaf = getattr(problem, f"leaf_{level}")
+    assert np.linalg.norm(downsampled, axis=1).max() <= 1 + 1e-6
+    assert oracles.nearest(downsampled, whole)[0].max() < leaf
     # One point a voxel: every point of the cloud has its voxel's centroid within a diagonal.
-    assert oracles.nearest(whole, thinned)[0].max() <= leaf * np.sqrt(3) * (1 + 1e-5)
+    assert oracles.nearest(whole, downsampled)[0].max() <= leaf * np.sqrt(3) * (1 + 1e-5)
 
 
-@pytest.mark.parametrize("density", ["dense", "sparse"])
-def test_thinned_points_are_centroids_of_voxels(problem, pair, density):
-    whole = (pair.source - problem.center_source) / problem.scale
-    cells = np.floor(whole / getattr(problem, f"leaf_{density}")).astype(int)
+@pytest.mark.parametrize("level", ["dense", "sparse"])
+def test_downsampled_points_are_centroids_of_voxels(problem, pair, level):
+    whole = (pair.source - problem.center_source) / problem.normalization_scale
+    cells = np.floor(whole / getattr(problem, f"leaf_{level}")).astype(int)
     _, cell, size = np.unique(cells, axis=0, return_inverse=True, return_counts=True)
     sums = np.stack([np.bincount(cell.ravel(), whole[:, axis]) for axis in range(3)], axis=1)
-    thinned = getattr(problem, f"source_{density}").astype(float)
+    downsampled = getattr(problem, f"source_{level}").astype(float)
     # float32 may put a point on a voxel's face to the other side.
-    assert len(thinned) == pytest.approx(len(size), rel=0.002)
-    gaps = oracles.nearest(thinned, sums / size[:, None])[0]
+    assert len(downsampled) == pytest.approx(len(size), rel=0.002)
+    gaps = oracles.nearest(downsampled, sums / size[:, None])[0]
     assert np.mean(gaps < 2e-6) > 0.99
 
 
@@ -90,5 +90,5 @@ def test_far_from_the_origin_nothing_changes(problem):
 
     far = shapes.make_pair(seed=1, offset=2.0**22)
     other = pyemtr.Problem(far.source, far.target, threads=2)
-    assert other.scale == pytest.approx(problem.scale, rel=1e-8)
+    assert other.normalization_scale == pytest.approx(problem.normalization_scale, rel=1e-8)
     assert len(other.target_dense) == pytest.approx(len(problem.target_dense), rel=0.01)

@@ -7,7 +7,7 @@ import sys
 import accuracy_fakes
 import pytest
 from accuracy_fakes import REPOSITORY, FakeEngine
-from emtr_bench import accuracy, arguments, queries, records, report
+from emtr_bench import accuracy, accuracy_text, arguments, queries, records
 
 
 @pytest.fixture
@@ -132,7 +132,7 @@ def test_require_asks_for_the_papers_marks(data, capsys):
     assert accuracy.main(base[:-1], engine) == 0
 
 
-def test_lookups_are_held_against_the_formula(data, capsys):
+def test_queries_are_compared_with_the_formula(data, capsys):
     assert accuracy.main(["--queries"], FakeEngine()) == 0
     output = capsys.readouterr().out
     # 12 sparse of 80 dense: 50 (60 x 12 + 40 x 80) and 50 x 100 x 80.
@@ -142,7 +142,7 @@ def test_lookups_are_held_against_the_formula(data, capsys):
     assert "2 of 2 pairs PASS" in output
 
 
-def test_one_lookup_too_many_fails(data, capsys):
+def test_one_query_too_many_fails(data, capsys):
     assert accuracy.main(["--queries"], FakeEngine(miscounts=1)) == 0
     assert "0 of 2 pairs PASS" in capsys.readouterr().out
     assert accuracy.main(["--queries", "--require"], FakeEngine(miscounts=1)) == 1
@@ -225,4 +225,4 @@ def test_the_script_says_how_to_get_what_it_lacks(tmp_path):
 
 def test_wide_figures_stay_in_their_columns():
     for spread in ((3.36, 10.712), (42.6, 0.5), (119.0, 170.0), (0.1, 0.02)):
-        assert len(report._spread(report.Spread(*spread))) < 12
+        assert len(accuracy_text._spread(accuracy_text.Spread(*spread))) < 12

@@ -1,4 +1,4 @@
-"""Where the time goes: stages, number of points, look-ups, instructions."""
+"""Where the time goes: stages, number of points, queries, instructions."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def neighbors_section(value: dict[str, Any]) -> str:
     becomes its median."""
     parts = []
     for text, counter in (
-        ("Nanoseconds a nearest neighbor look-up, one thread.", "look_up"),
+        ("Nanoseconds for a nearest-neighbor query, one thread.", "query"),
         ("Nanoseconds a point to make the structure, one thread.", "a_point"),
     ):
         chosen = [b for b in value["benchmarks"] if b["run_type"] == "iteration" and counter in b]

@@ -23,7 +23,7 @@ _TITLES = {
     "peers": "Beside other libraries",
     "stages": "Stages, and the candidate grid",
     "scaling": "Time and memory against the number of points",
-    "neighbors": "Look-ups",
+    "neighbors": "Nearest-neighbor queries",
     "regress": "Instructions",
 }
 _EXPLANATIONS = {

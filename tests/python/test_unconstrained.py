@@ -17,7 +17,9 @@ def test_shapes_and_order(solved):
     assert solved.hessian_eigenvalues.shape == (6,)
     np.testing.assert_allclose(solved.information, solved.information.T, rtol=1e-9)
     assert np.linalg.eigvalsh(solved.information).min() > 0
-    assert 0 < solved.hessian_eigenvalues[0] <= solved.hessian_eigenvalues[-1] <= 1 and np.all(np.diff(solved.hessian_eigenvalues) >= 0)
+    assert 0 < solved.hessian_eigenvalues[0] <= solved.hessian_eigenvalues[-1] <= 1 and np.all(
+        np.diff(solved.hessian_eigenvalues) >= 0
+    )
     np.testing.assert_allclose(
         solved.hessian_eigenvectors @ solved.hessian_eigenvectors.T, np.eye(6), atol=1e-9
     )
@@ -25,7 +27,7 @@ def test_shapes_and_order(solved):
 
 
 def test_the_unit_of_the_information(pair, solved):
-    # Shifts of 1024 times as many units: exact in binary. Rotations stay as they are.
+    # Translations in 1024 times as many units: exact in binary. Rotations stay as they are.
     other = pyemtr.register(pair.source * 1024, pair.target * 1024, threads=2)
     units = np.array([1, 1, 1, 1024, 1024, 1024])
     np.testing.assert_allclose(

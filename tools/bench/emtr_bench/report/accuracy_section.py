@@ -10,7 +10,7 @@ from .markdown import number, table
 _TIER_HEADS = ("tier", "pairs", "runs", "success %", "joint %", "median E_R", "mean E_R",
                "mean E_t x 100", "seconds", "precision %", "recall %")  # fmt: skip
 _PAIR_HEADS = ("pair", "success %", "the paper's row", "E_R", "the paper's", "E_t x 100",
-               "the paper's", "look-ups, 10^6", "the paper's", "seconds")  # fmt: skip
+               "the paper's", "queries, 10^6", "the paper's", "seconds")  # fmt: skip
 
 
 def accuracy_section(value: dict[str, Any]) -> str:

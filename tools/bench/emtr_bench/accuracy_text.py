@@ -17,7 +17,7 @@ _WIDTHS = (27, 10, 6, 7, 6, 8, 12, 12, 12, 12, 7, 7, 7, 7, 7, 6, 6)
 _GROUPS = (
     (5, 7, "E_R, degrees"),
     (8, 9, "E_t x 100"),
-    (10, 12, "look-ups, millions"),
+    (10, 12, "queries, millions"),
     (14, 16, "verdict"),
 )
 _HEADS = (
@@ -69,7 +69,7 @@ def footer(runs: list[Run], rows: list[PairSummary], average: Figures) -> str:
         f"(the paper's lowest: {paper_tables.LOWEST_SUCCESS:g} %)",
         "success: E_R < 5 degrees; joint: E_t < 0.06 too. Errors are over successes, E_t in the "
         "normalized frame.",
-        "Look-ups (other: at the switch and of the complement) and seconds: means over runs.",
+        "Queries (other: at the switch and of the complement) and seconds: means over runs.",
         f"right, or ambiguous with the truth among the alternatives (+alt%): "
         f"{_number(average.joint_or_among, 1)} %",
         f"verdict over all runs: precision {_number(average.precision, 1)} %, recall "
