@@ -9,6 +9,9 @@
 #include "pipeline/problem.h"
 #include "pipeline/result.h"
 #include "pipeline/solve.h"
+#include "settings/validation.h"
+#include "util/cancellation.h"
+#include "util/thread_team.h"
 
 using emtr::guarded;
 using emtr::InputCloud;
@@ -16,12 +19,29 @@ using emtr::required;
 
 namespace {
 
+/// Returns the settings with the number of threads filled in: inside its own parallel region a run
+/// can no longer ask OpenMP.
+emtr::Settings with_threads(const emtr_settings* settings) {
+  emtr::Settings chosen = emtr::settings_or_preset(settings);
+  emtr::validate(chosen);
+  chosen.threads = emtr::thread_count(chosen);
+  return chosen;
+}
+
+/// Registers within one parallel region, in which all stages find their threads.
 emtr_result* run(InputCloud& source, InputCloud& target, const emtr_settings* settings,
                  emtr_progress_fn progress, void* user) {
-  const emtr::Settings chosen = emtr::settings_or_preset(settings);
+  const emtr::Settings chosen = with_threads(settings);
   emtr::CancellationToken token(emtr::progress_function(progress, user), chosen.time_limit);
-  const auto problem = emtr::make_problem(source, target, chosen, token);
-  return emtr::solve(*problem, token).release();
+  emtr::CancellationToken* const outer = emtr::CancellationScope::current();
+  const emtr::CancellationScope of_region(&token);  // stages look for the team of their token
+  emtr_result* result = nullptr;
+  emtr::ThreadTeam::with(chosen.threads, [&](emtr::ThreadTeam&) {
+    const emtr::CancellationScope between_stages(outer);  // a stopped run still writes its result
+    const auto problem = emtr::make_problem(source, target, chosen, token);
+    result = emtr::solve(*problem, token).release();
+  });
+  return result;
 }
 
 /// A cloud whose preprocessed form the user keeps, unless `slot` is null. Fills an empty slot with

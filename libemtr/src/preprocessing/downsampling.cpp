@@ -80,9 +80,7 @@ class Thinning {
       : pair_(pair),
         settings_(settings),
         // Both clouds are filtered at once where that is worth waking a thread for.
-        threads_(pair.source.size() + pair.target.size() > 200000
-                     ? std::min(2, thread_count(settings))
-                     : 1),
+        threads_(pair.source.size() + pair.target.size() > 200000 ? thread_count(settings) : 1),
         counters_{VoxelCounter(pair.source), VoxelCounter(pair.target)} {}
 
   void dense(DownsampledClouds& out) {

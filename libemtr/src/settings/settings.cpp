@@ -2,6 +2,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "settings/settings_table.h"
@@ -87,7 +88,8 @@ Settings preset(const std::string& name) {
 int thread_count(const Settings& settings) {
   if (settings.threads > 0) return settings.threads;
   // Inside a parallel region of the user's, each of its threads comes here with work of its own.
-  return omp_get_active_level() < omp_get_max_active_levels() ? omp_get_max_threads() : 1;
+  if (omp_get_active_level() >= omp_get_max_active_levels()) return 1;
+  return std::min(omp_get_max_threads(), kMostThreads);
 }
 
 }  // namespace emtr

@@ -11,6 +11,7 @@ namespace emtr {
 
 using Settings = emtr_settings;
 
+constexpr int kMostThreads = 1024;
 constexpr double kAnyRotation = 180;      ///< degrees: the value that limits no angle
 constexpr double kAnyTranslation = 1e12;  ///< the value of guess_translation that limits nothing
 
@@ -38,7 +39,8 @@ const char* preset_name(std::size_t index);
 /// Returns the settings of a preset; throws Error when there is none of that name.
 Settings preset(const std::string& name);
 
-/// Returns how many threads to use: the setting, or as many as OpenMP would by itself.
+/// Returns how many threads to use: the setting, or as many as OpenMP would by itself, which is one
+/// inside an active parallel region unless nested ones are allowed.
 int thread_count(const Settings& settings);
 
 }  // namespace emtr

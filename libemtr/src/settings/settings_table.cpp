@@ -27,7 +27,7 @@ constexpr Setting::Storage storage_of(const double*) { return Setting::Storage::
 const std::vector<Setting>& setting_table() {
   static const std::vector<Setting> rows = {
       SETTING(seed, Integer, "", 0, kExactInteger, 0, "", "seed of all random numbers", ""),
-      SETTING(threads, Integer, "threads", 0, 1024, 0, "",
+      SETTING(threads, Integer, "threads", 0, kMostThreads, 0, "",
               "threads to use, 0 for as many as OpenMP would; the result does not depend on it",
               ""),
       SETTING(time_limit, Real, "seconds", 0, 1e9, 0, "",
