@@ -5,6 +5,7 @@
 
 #include "correspondences/correspondence.h"
 #include "features/fpfh.h"
+#include "preprocessing/keypoints.h"
 
 namespace emtr {
 
@@ -18,6 +19,8 @@ struct DescriptorRows {
       : values(numbers.data()), count(numbers.size() / size), dimension(size) {}
   DescriptorRows(const Features& features)  // NOLINT: the descriptors of the features
       : DescriptorRows(features.descriptors, kFeatureSize) {}
+  DescriptorRows(const Keypoints& keypoints)  // NOLINT: the descriptors of the keypoints
+      : DescriptorRows(keypoints.descriptors, keypoints.dimension) {}
 
   const float* row(std::size_t i) const { return values + i * dimension; }
   bool valid(std::size_t i) const { return *row(i) == *row(i); }
