@@ -67,7 +67,7 @@ class Description {
                          &moments_[i], n_);
     });
     normals_.resize(n_);
-    kernels_.least_directions(moments_.data(), n_, grid_.sorted.view(),
+    kernels_.plane_normals(moments_.data(), n_, grid_.sorted.view(),
                               definition_.viewpoint.data(), normals_.x.data(), normals_.y.data(),
                               normals_.z.data());
   }

@@ -25,7 +25,7 @@ float to_nearest_other(std::uint32_t i, const CellGrid& grid, NeighborList& list
   const auto itself = static_cast<std::size_t>(
       std::lower_bound(list.rows.begin(), list.rows.end(), i) - list.rows.begin());
   list.points.x[itself] = kFarAway;
-  const float squared = kernels.least_squared(list.points.view(), query);
+  const float squared = kernels.minimum_squared_distance(list.points.view(), query);
   list.points.x[itself] = query[0];
   return squared;
 }
