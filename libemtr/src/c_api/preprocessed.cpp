@@ -34,8 +34,8 @@ emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed,
     std::copy_n(cloud.center, 3, out.center);
     out.radius = cloud.radius;
     out.normals = cloud.normals.size() != 0;
-    out.keypoints = cloud.described.rows.size();
-    out.feature_dimension = cloud.described.dimension;
+    out.keypoints = cloud.keypoints.rows.size();
+    out.feature_dimension = cloud.keypoints.dimension;
     emtr::copy_info(out, info, size);
   });
 }

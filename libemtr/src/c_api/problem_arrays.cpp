@@ -19,17 +19,17 @@ ProblemArrays::View ProblemArrays::view(emtr_array which) const {
   const auto plain = [](const std::vector<float>& values, std::size_t columns) {
     return View{values.data(), values.size() / columns, columns};
   };
-  const auto features = [&](const Features& dense, const FeatureCloud* keypoints) {
+  const auto features = [&](const Features& dense, const Keypoints* keypoints) {
     return keypoints && keypoints->dimension ? plain(keypoints->descriptors, keypoints->dimension)
                                              : plain(dense.descriptors, kFeatureSize);
   };
-  const auto rows = [](const FeatureCloud* keypoints) {
+  const auto rows = [](const Keypoints* keypoints) {
     return keypoints ? View{keypoints->rows.data(), keypoints->rows.size(), 1}
                      : View{nullptr, 0, 1};
   };
   const Problem& p = problem_;
-  const FeatureCloud* source_keypoints = p.user_keypoints ? &p.user_keypoints->source : nullptr;
-  const FeatureCloud* target_keypoints = p.user_keypoints ? &p.user_keypoints->target : nullptr;
+  const Keypoints* source_keypoints = p.user_keypoints ? &p.user_keypoints->source : nullptr;
+  const Keypoints* target_keypoints = p.user_keypoints ? &p.user_keypoints->target : nullptr;
   switch (which) {
     case EMTR_SOURCE_SPARSE:
       return interleaved(which, p.downsampled.source_sparse);

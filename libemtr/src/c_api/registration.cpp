@@ -10,6 +10,7 @@
 #include "pipeline/result.h"
 #include "pipeline/solve.h"
 #include "settings/validation.h"
+#include "util/cancellation.h"
 #include "util/thread_team.h"
 
 using emtr::guarded;

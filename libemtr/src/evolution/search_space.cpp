@@ -5,14 +5,13 @@
 
 #include "geometry/euler.h"
 #include "geometry/rotation_vector.h"
+#include "util/constants.h"
 
 namespace emtr {
 namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Returns a range cut to another one, or its nearest end where they do not meet.
 Gene cut(double low, double high, double least, double most) {

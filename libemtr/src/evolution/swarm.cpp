@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "util/constants.h"
+
 namespace emtr {
 
 std::vector<Gene> rotation_genes() {
-  constexpr double pi = 3.14159265358979323846;
-  return {{-pi, pi, false}, {-pi / 2, pi / 2, false}, {-pi, pi, false}};
+  return {{-kPi, kPi, false}, {-kPi / 2, kPi / 2, false}, {-kPi, kPi, false}};
 }
 
 std::vector<Gene> pose_genes(double bound) {
@@ -42,7 +43,7 @@ void Swarm::draw_particle(std::size_t i) {
 }
 
 double Swarm::velocity_limit(std::size_t gene) const {
-  constexpr double whole_rotation = 2 * 3.14159265358979323846;
+  constexpr double whole_rotation = 2 * kPi;
   const double range = gene < vector_genes_ ? whole_rotation : genes_[gene].high - genes_[gene].low;
   return settings_.velocity_limit * range;
 }

@@ -17,7 +17,7 @@ FeatureDefinition feature_definition(const Settings& settings, double leaf) {
 
 namespace {
 
-Features described(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
+Features describe_oriented(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
                    int threads, const Cloud& normals) {
   if (normals.size() && definition.normals_only) {
     Features out;
@@ -35,10 +35,10 @@ Features described(const Cloud& cloud, const FeatureDefinition& definition, cons
 Features describe(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
                   int threads, const Cloud& normals) {
   if (normals.size() == 0 || definition.trust_normals)
-    return described(cloud, definition, kernels, threads, normals);
+    return describe_oriented(cloud, definition, kernels, threads, normals);
   Cloud oriented = normals;
   orient_normals(cloud, definition.viewpoint, oriented);
-  return described(cloud, definition, kernels, threads, oriented);
+  return describe_oriented(cloud, definition, kernels, threads, oriented);
 }
 
 Features mirrored(const Features& features) {

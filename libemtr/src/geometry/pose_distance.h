@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/rigid.h"
+#include "util/constants.h"
 
 namespace emtr {
 
@@ -16,9 +17,9 @@ struct PoseDistance {
 };
 
 /// Poses farther apart than this are different answers, not one answer found twice.
-constexpr PoseDistance kDistinctPose = {10 * 3.14159265358979323846 / 180, 0.15};
+constexpr PoseDistance kDistinctPose = {10 * kPi / 180, 0.15};
 /// Poses closer than this end in the same place after local refinement.
-constexpr PoseDistance kDuplicatePose = {3 * 3.14159265358979323846 / 180, 0.03};
+constexpr PoseDistance kDuplicatePose = {3 * kPi / 180, 0.03};
 
 /// Tells whether neither rotations nor translations are farther apart than the limit.
 bool is_same_pose(const Rigid& a, const Rigid& b, const PoseDistance& limit);

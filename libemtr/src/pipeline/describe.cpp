@@ -15,7 +15,7 @@ void load_correspondences(const Settings& user, Problem& problem) {
   UserCorrespondences loaded =
       load_user_correspondences(problem.pair, user.correspondences, user.correspondence_count,
                                 static_cast<std::size_t>(problem.settings.max_correspondences));
-  problem.user_keypoints = std::make_unique<FeatureClouds>(std::move(loaded.clouds));
+  problem.user_keypoints = std::make_unique<KeypointPair>(std::move(loaded.keypoints));
   problem.correspondences = std::move(loaded.correspondences);
   problem.correspondences_found = user.correspondence_count;
 }
@@ -23,12 +23,12 @@ void load_correspondences(const Settings& user, Problem& problem) {
 }  // namespace
 
 void load_user_input(const Settings& user, Problem& problem) {
-  const bool features = have_features(problem.pair);  // refuses bad ones in any case
+  const bool features = has_user_keypoints(problem.pair);  // refuses bad ones in any case
   if (user.correspondences || user.correspondence_count)
     load_correspondences(user, problem);
   else if (features)
-    problem.user_keypoints = std::make_unique<FeatureClouds>(
-        user_keypoints(problem.pair, problem.downsampled.leaf_dense));
+    problem.user_keypoints = std::make_unique<KeypointPair>(
+        load_user_keypoints(problem.pair, problem.downsampled.leaf_dense));
 }
 
 void describe_clouds(Problem& problem) {

@@ -23,7 +23,7 @@ void find_correspondences(Problem& problem) {
   if (!problem.user_keypoints)
     match_descriptors(problem.source_features, problem.target_features);
   else if (problem.user_keypoints->source.dimension)
-    match_descriptors(problem.user_keypoints->source.view(), problem.user_keypoints->target.view());
+    match_descriptors(problem.user_keypoints->source, problem.user_keypoints->target);
 }
 
 double tau_of(const Problem& problem) {
@@ -43,7 +43,7 @@ std::vector<Correspondence> correspondences_for_tims(const Problem& problem) {
   const std::vector<Correspondence>& all = problem.correspondences;
   const std::size_t count =
       std::min(all.size(), correspondence_cap(static_cast<std::size_t>(problem.settings.max_tims)));
-  if (!ordered_by_distance(problem)) return spread(all, count);
+  if (!ordered_by_distance(problem)) return select_evenly(all, count);
   return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 

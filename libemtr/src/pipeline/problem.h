@@ -37,7 +37,7 @@ struct Problem {
   DownsampledClouds downsampled;
 
   Features source_features, target_features;      ///< of the dense clouds
-  std::unique_ptr<FeatureClouds> user_keypoints;  ///< null when the dense clouds are matched
+  std::unique_ptr<KeypointPair> user_keypoints;  ///< null when the dense clouds are matched
 
   std::vector<Correspondence> correspondences;  ///< rows of matched_source(), matched_target()
   std::size_t correspondences_found = 0;        ///< before the best of them were kept

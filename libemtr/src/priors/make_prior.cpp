@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "util/constants.h"
 #include "util/error.h"
 
 namespace emtr {
@@ -10,8 +11,6 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Names = std::vector<std::string>;
-
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw Error(EMTR_ERROR_SETTING, message);

@@ -2,17 +2,15 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
-#include <limits>
 #include <vector>
 
 #include "refinement/voxel_moments.h"
 #include "util/cancellation.h"
+#include "util/constants.h"
 #include "voxels/voxel_order.h"
 
 namespace emtr {
 namespace {
-
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 Eigen::Vector3f normal_of(const Moments& m) {
   Eigen::Vector3f none = Eigen::Vector3f::Constant(kNone);

@@ -20,14 +20,9 @@ QueryPoints::QueryPoints(const SharedSurface& surface, std::size_t count, std::s
                     stride = std::max<std::size_t>(1, all / first_count);
   first_ = all ? (all - 1) / stride + 1 : 0;
   for (std::size_t phase = 0; phase < std::min(stride, all); ++phase)
-    for (std::size_t k = phase; k < all; k += stride) {
-      const std::int32_t row = usable[k * usable.size() / all];
-      const auto i = static_cast<std::size_t>(row);
-      rows_.push_back(row);
-      positions_.x.push_back(p.x[i]);
-      positions_.y.push_back(p.y[i]);
-      positions_.z.push_back(p.z[i]);
-    }
+    for (std::size_t k = phase; k < all; k += stride)
+      rows_.push_back(usable[k * usable.size() / all]);
+  positions_ = p.select(rows_);
 }
 
 }  // namespace emtr

@@ -33,8 +33,8 @@ VoxelMoments::VoxelMoments(const Cloud& cloud, const VoxelLattice& lattice) {
   Moments sum{};
   for (const VoxelRow& item : items) {
     check_cancelled_each(static_cast<std::size_t>(&item - items.data()), 14);
-    if (keys.empty() || item.cube != keys.back()) {
-      keys.push_back(item.cube);
+    if (keys.empty() || item.voxel != keys.back()) {
+      keys.push_back(item.voxel);
       before.push_back(sum);
     }
     add(sum, moments_of(cloud.x[item.row], cloud.y[item.row], cloud.z[item.row]));

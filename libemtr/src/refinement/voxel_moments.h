@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/cloud.h"
+#include "voxels/voxel_index.h"
 
 namespace emtr {
 
@@ -30,8 +31,7 @@ struct VoxelLattice {
 
   VoxelLattice(const Cloud& cloud, double leaf, int margin);
 
-  /// Bins as pcl::VoxelGrid does.
-  std::int64_t cell(float v) const { return static_cast<std::int64_t>(std::floor(v * inverse)); }
+  std::int64_t cell(float v) const { return voxel_index(v, inverse); }
 
   std::uint64_t key(const Cloud& cloud, std::size_t i) const {
     return static_cast<std::uint64_t>(

@@ -18,16 +18,9 @@ constexpr std::size_t kMaximumPoints = 5000;  // for a share to half a per cent
 constexpr double kRandomFlatness = 0.75, kMinimumScale = 0.1;
 
 Cloud some(const Cloud& cloud) {
-  const std::size_t n = std::min(cloud.size(), kMaximumPoints);
-  Cloud out;
-  out.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t row = i * cloud.size() / n;
-    out.x[i] = cloud.x[row];
-    out.y[i] = cloud.y[row];
-    out.z[i] = cloud.z[row];
-  }
-  return out;
+  std::vector<std::size_t> rows(std::min(cloud.size(), kMaximumPoints));
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i * cloud.size() / rows.size();
+  return cloud.select(rows);
 }
 
 /// How the points of one cloud lie on the surface of the other.
