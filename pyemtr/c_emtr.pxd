@@ -146,11 +146,11 @@ cdef extern from "emtr/emtr.h" nogil:
     void emtr_preprocessed_free(emtr_preprocessed* preprocessed)
 
     ctypedef struct emtr_preprocessed_info:
-        size_t points, dropped, kept
+        size_t points, dropped, base_points
         double center[3]
         double radius
         int32_t normals
-        size_t described, feature_dimension
+        size_t keypoints, feature_dimension
 
     emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed,
                                            emtr_preprocessed_info* info, size_t size)

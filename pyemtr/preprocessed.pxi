@@ -25,9 +25,9 @@ cdef class Preprocessed:
     def describe(self):
         cdef emtr_preprocessed_info info
         check(emtr_preprocessed_describe(self.handle, &info, sizeof(info)))
-        return {"points": info.points, "dropped": info.dropped, "kept": info.kept,
+        return {"points": info.points, "dropped": info.dropped, "base_points": info.base_points,
                 "center": listed(info.center, 3), "radius": info.radius,
-                "normals": bool(info.normals), "keypoints": info.described,
+                "normals": bool(info.normals), "keypoints": info.keypoints,
                 "feature_dimension": info.feature_dimension}
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Prints the README's table of settings from the library's own, or writes it into the README.
+"""Prints the table of settings from the library's own, or writes it into docs/SETTINGS.md.
 
 settings_table.py            print the table
-settings_table.py --write    replace what stands between the README's two markers
+settings_table.py --write    replace what is between the page's two markers
 """
 
 import argparse
@@ -12,7 +12,7 @@ from pathlib import Path
 import pyemtr
 from pyemtr.options import Value, make_settings, settings_used
 
-README = Path(__file__).resolve().parent.parent / "README.md"
+PAGE = Path(__file__).resolve().parent.parent / "docs" / "SETTINGS.md"
 BEGIN, END = "<!-- settings: begin -->", "<!-- settings: end -->"
 
 
@@ -63,13 +63,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--write", action="store_true", help="write the table into README.md")
+    parser.add_argument(
+        "--write", action="store_true", help="write the table into docs/SETTINGS.md"
+    )
     if not parser.parse_args().write:
         print(table())
         return
-    whole = README.with_suffix(".md.new")
-    whole.write_text(replaced(README.read_text()))
-    os.replace(whole, README)
+    whole = PAGE.with_suffix(".md.new")
+    whole.write_text(replaced(PAGE.read_text()))
+    os.replace(whole, PAGE)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-/* Compiled, never run: pcl_abi.cmake reads these strings out of the program. */
+/* Is compiled but never run: pcl_abi.cmake reads these strings from the program. */
 #include <pcl/pcl_config.h>
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
-# Counters in what is measured, and not in all tests, which would take much longer: the class's headers
-# are also compiled into its tests.
+# Instruments what is measured: the library and the command. Of the tests only those of the class,
+# whose headers are compiled into them; instrumenting all tests would take much longer.
 foreach(target emtr_objects emtr_pcl emtr_command test_pcl_class)
   if(TARGET ${target})
     target_compile_options(${target} PRIVATE --coverage)

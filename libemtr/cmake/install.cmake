@@ -1,10 +1,10 @@
-# What `cmake --install` puts where: the libraries, their headers, and the files by which
-# find_package() and pkg-config find them. All paths in those are relative: the prefix may be moved.
+# Installs the libraries, their headers, and the files for find_package() and pkg-config. All paths
+# in those files are relative, so that the prefix may be moved.
 include(CMakePackageConfigHelpers)
 
 set(emtr_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/emtr)
 set(emtr_pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-# The parts of PCL behind the archives of a static build.
+# The parts of PCL that a static build links with.
 set(emtr_pcl_components common kdtree search features filters)
 
 # ---- the C library
@@ -17,7 +17,7 @@ install(EXPORT emtrTargets NAMESPACE emtr:: DESTINATION ${emtr_package_dir})
 
 # ---- the class
 if(TARGET emtr_pcl)
-  set_target_properties(emtr_pcl PROPERTIES INSTALL_RPATH $ORIGIN) # libemtr lies beside it
+  set_target_properties(emtr_pcl PROPERTIES INSTALL_RPATH $ORIGIN) # libemtr lies next to it
   install(TARGETS emtr_pcl EXPORT emtrPclTargets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

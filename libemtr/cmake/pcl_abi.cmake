@@ -1,8 +1,8 @@
 # Writes pcl/registration/emtr_ssc_abi.h: how Eigen aligns and allocates under the flags of this
-# build, so that the class knows whom its compiled code fits.
+# build. The class compares them with the flags of a program before it uses the compiled code.
 
 set(emtr_probe ${CMAKE_CURRENT_BINARY_DIR}/emtr_abi_probe)
-set(CMAKE_TRY_COMPILE_CONFIGURATION ${CMAKE_BUILD_TYPE}) # the flags of that type too
+set(CMAKE_TRY_COMPILE_CONFIGURATION ${CMAKE_BUILD_TYPE}) # with the flags of that type
 try_compile(emtr_probe_compiled ${CMAKE_CURRENT_BINARY_DIR}
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/abi_probe.cpp
   LINK_LIBRARIES pcl_common

@@ -1,4 +1,4 @@
-# libpcl_emtr: the instantiations of pcl::EMTRSSCRegistration for PCL's usual point types.
+# Builds libpcl_emtr, which instantiates pcl::EMTRSSCRegistration for PCL's usual point types.
 if(NOT EMTR_BUILD_PCL)
   return()
 endif()
@@ -11,7 +11,7 @@ set_target_properties(emtr_pcl PROPERTIES
   OUTPUT_NAME pcl_emtr
   EXPORT_NAME pcl
   VERSION ${PROJECT_VERSION}
-  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} # 0.x promises no ABI to the next
+  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} # 0.x versions promise no common ABI
   POSITION_INDEPENDENT_CODE ON
   CXX_VISIBILITY_PRESET hidden
   VISIBILITY_INLINES_HIDDEN ON)
@@ -20,7 +20,7 @@ target_include_directories(emtr_pcl PUBLIC
   $<BUILD_INTERFACE:${EMTR_GENERATED_INCLUDE_DIR}>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(emtr_pcl INTERFACE cxx_std_14)
-# Not PCL's component registration: its templates are all that is used of it, and it would bring
-# VTK and Qt into every configure step.
+# PCL's component registration is not linked: the class uses only its templates, and the component
+# would bring VTK and Qt into every configure step.
 target_link_libraries(emtr_pcl PUBLIC emtr pcl_search pcl_kdtree pcl_common
                                PRIVATE $<BUILD_INTERFACE:emtr_build>)

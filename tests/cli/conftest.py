@@ -14,7 +14,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 QUICK = ["--iterations", "2", "--population", "4", "--threads", "1"]  # where T does not matter
 
-# A shell has it ignored in what it runs in the background, and the command would go on ignoring it.
+# A shell ignores it in what it runs in the background, and the command would go on ignoring it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
@@ -98,7 +98,7 @@ class Pair:
         self.target = target[target[:, 0] > -0.8] @ self.T[:3, :3].T + self.T[:3, 3]
 
     def error(self, found: np.ndarray) -> tuple[float, float]:
-        """Degrees, and how far the centre of the source ends from where it should."""
+        """Degrees, and how far the center of the source ends from where it should."""
         turned = np.linalg.norm(found[:3, :3] - self.T[:3, :3]) / (2 * np.sqrt(2))
         center = np.append(self.source.mean(axis=0), 1)
         return (

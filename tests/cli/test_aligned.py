@@ -286,22 +286,22 @@ def test_ply_holds_no_field_twice(refused, tmp_path):
 @pytest.mark.parametrize(
     ("name", "kind"), [("rgb_weight", "f4"), ("my_rgba", "f4"), ("rgba2", "u4")]
 )
-def test_ply_field_that_pcl_would_write_as_a_colour(refused, tmp_path, name, kind):
+def test_ply_field_that_pcl_would_write_as_a_color(refused, tmp_path, name, kind):
     cloud_files.write_ply(tmp_path / "a.ply", table(POINTS, **{name: np.arange(COUNT, dtype=kind)}))
     message = refused(2, "a.ply", "a.ply", "--aligned", "m.ply")
     assert f"'m.ply': PLY cannot hold field '{name}' of 'a.ply'" in message
-    assert "a colour by its name, write a .pcd" in message
+    assert "a color by its name, write a .pcd" in message
 
 
-def test_ply_field_that_pcl_would_write_as_a_colour_and_whose_name_is_no_text(refused, tmp_path):
+def test_ply_field_that_pcl_would_write_as_a_color_and_whose_name_is_no_text(refused, tmp_path):
     path = cloud_files.write_ply(tmp_path / "a.ply", table(POINTS, Xrgba=CURVATURE[:, 0]))
     path.write_bytes(path.read_bytes().replace(b"Xrgba", b"\xffrgba"))
     message = refused(2, "a.ply", "a.ply", "--aligned", "m.ply")
-    assert "field '?rgba' of 'a.ply'" in message and "a colour by its name" in message
+    assert "field '?rgba' of 'a.ply'" in message and "a color by its name" in message
 
 
 @pytest.mark.parametrize("kind", ["f8", "i4", "u2", "i1"])
-def test_ply_field_of_another_type_with_the_letters_of_a_colour(aligned, tmp_path, kind):
+def test_ply_field_of_another_type_with_the_letters_of_a_color(aligned, tmp_path, kind):
     rows = table(POINTS, my_rgba=np.arange(-100, COUNT - 100).astype(kind))
     cloud_files.write_ply(tmp_path / "a.ply", rows)
     found, _ = read_ply(aligned("a.ply", ".ply")[0])

@@ -208,7 +208,7 @@ def test_ply_headers(bad, tmp_path, old, new, pattern):
 
 
 @pytest.mark.parametrize("order", ["blue green red", "red green", "red ring green blue", "alpha"])
-def test_ply_colours_that_pcl_takes_for_others(bad, tmp_path, order):
+def test_ply_colors_that_pcl_takes_for_others(bad, tmp_path, order):
     fields = {name: np.arange(40, dtype="u1") for name in order.split()}
     cloud_files.write_ply(tmp_path / "c.ply", cloud_files.table(POINTS, **fields))
     bad("c.ply", "expected uchar red, green, blue and perhaps alpha")

@@ -48,7 +48,7 @@ def test_letter_case_of_the_extension(run, tmp_path, reference, name):
 
 @pytest.mark.parametrize("extension", [".pcd", ".ply"])
 def test_double_coordinates_keep_their_digits(run, tmp_path, pair, extension):
-    """A million metres from the origin, float has lost the shape's centimetres."""
+    """A million meters from the origin, float has lost the shape's centimeters."""
     far = np.array([4.5e6, 5.3e6, 1e3])
     write = cloud_files.WRITERS[extension]
     write(tmp_path / f"a{extension}", cloud_files.table(pair.source * 0.01 + far, "f8"))

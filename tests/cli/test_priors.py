@@ -12,7 +12,7 @@ from conftest import QUICK
 
 @pytest.fixture
 def found(run, tmp_path):
-    """What the report says of a run."""
+    """Returns the report of a run."""
 
     def call(*arguments) -> dict:
         done = run(*arguments, "--report", "r.json")

@@ -8,7 +8,7 @@ import pytest
 
 
 def outcome(run, tmp_path, *arguments) -> dict:
-    """What must not depend on who looks the neighbors up."""
+    """The part of the report that must not depend on who answers the queries."""
     done = run("a.pcd", "b.pcd", *arguments, "--report", "r.json")
     assert done.returncode in (0, 3), done.stderr
     report = json.loads((tmp_path / "r.json").read_text())
@@ -38,7 +38,7 @@ def test_the_same_bits_by_every_path_of_the_paper(run, clouds, tmp_path):
 
 
 def test_of_the_default_preset_the_features_are_pcls_too(run, clouds, tmp_path):
-    """Their vectorised definition may differ in a bin, so this is compared with PCL's features."""
+    """The vectorized definition may differ in a bin, so this is compared with PCL's features."""
     quick = ["--iterations", "6", "--threads", "2"]
     plain = outcome(run, tmp_path, *quick, "--features", "pcl")
     reference = outcome(run, tmp_path, *quick, "--reference")

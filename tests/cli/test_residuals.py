@@ -16,7 +16,7 @@ def distances(moved: np.ndarray, target: np.ndarray) -> np.ndarray:
 
 @pytest.fixture
 def expected(pair, tmp_path):
-    """Of the pose that was written."""
+    """Measures the residuals of the pose that was written."""
 
     def call() -> np.ndarray:
         T = np.loadtxt(tmp_path / "T.txt")

@@ -1,4 +1,4 @@
-"""Every setting of the library is an option, in --help and in the report, and acts."""
+"""Every setting of the library is an option, in --help-all and in the report, and acts."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ STRUCT = re.search(
 ).group(1)
 NAMES = re.findall(r"^  (?:uint64_t|int32_t|double) (?!has_)(\w+);", STRUCT, re.MULTILINE)
 NUMBER = r"(-?[\d.]+(?:e[+-]\d+)?)"
-PARTNERS = {
+NEEDED = {
     "dense_points": ["--sparse-points", "50"],
     "feature_radius": ["--normal-radius", "1"],
     "complement_scale_start": ["--complement-scale-end", "0.001"],
@@ -31,8 +31,9 @@ PARTNERS = {
 
 @pytest.fixture(scope="module")
 def entries(command) -> dict[str, tuple[str, str]]:
-    """Of each setting in --help: what its value is, and its text on one line."""
-    text = subprocess.run([command, "--help"], capture_output=True, text=True, check=True).stdout
+    """The kind of value and the text, on one line, of each setting in --help-all."""
+    asked = [command, "--help-all"]
+    text = subprocess.run(asked, capture_output=True, text=True, check=True).stdout
     return {
         name.replace("-", "_"): (kind, " ".join(words.split()))
         for name, kind, words in re.findall(
@@ -72,7 +73,7 @@ def other(name: str, kind: str, text: str) -> tuple[str, object]:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_report_repeats_what_was_set(run, small, tmp_path, entries, name):
-    """If need be together with its partner's."""
+    """Sets it together with the options that it needs."""
     np.savetxt(tmp_path / "guess.txt", np.eye(4))
     value, expected = other(name, *entries[name])
     quick = [] if name in ("iterations", "population") else ["--iterations", "1"]
@@ -80,7 +81,7 @@ def test_report_repeats_what_was_set(run, small, tmp_path, entries, name):
         *small,
         "--" + name.replace("_", "-"),
         value,
-        *PARTNERS.get(name, []),
+        *NEEDED.get(name, []),
         *quick,
         "--quiet",
         "--report",

@@ -1,4 +1,4 @@
-"""The command line is read strictly; --help and --version tell what there is."""
+"""The command line is read strictly, and --version tells the versions."""
 
 from __future__ import annotations
 
@@ -7,33 +7,6 @@ import re
 import cloud_files
 import pytest
 from conftest import QUICK, surface
-
-
-@pytest.mark.parametrize("flag", ["-h", "--help"])
-def test_help_goes_to_standard_output(run, flag):
-    done = run(flag)
-    assert done.returncode == 0
-    assert not done.stderr
-    for text in (
-        "Usage: pcl_emtr [OPTIONS] source target",
-        "Examples:",
-        "Exit codes:",
-        "q = R p + t",
-        "-o,--output FILE",
-        "--aligned FILE",
-        "--report FILE",
-        "--guess FILE",
-        "--preset NAME",
-        "--viewpoint-source X Y Z",
-        "--viewpoint file|none",
-        "--reference",
-        "-q,--quiet",
-        "--version",
-    ):
-        assert text in done.stdout
-    for code, meaning in enumerate(["registered", "usage", "input or output", "not registered"]):
-        assert re.search(rf"^  {code}  {meaning}", done.stdout, re.MULTILINE)
-    assert max(map(len, done.stdout.splitlines())) <= 100
 
 
 def test_version(run):
@@ -50,8 +23,8 @@ def test_version(run):
         ([], "source is required"),
         (["a.pcd"], "target is required"),
         (["a.pcd", "b.pcd", "c.pcd"], "not expected: c.pcd"),
-        (["a.pcd", "b.pcd", "--nonsense"], "not expected: --nonsense"),
-        (["a.pcd", "b.pcd", "--iteration", "5"], "--iteration"),
+        (["a.pcd", "b.pcd", "--nonsense"], "--nonsense: there is no such option"),
+        (["a.pcd", "b.pcd", "--iteration", "5"], "--iteration: there is no such option"),
         (["a.pcd", "b.pcd", "-o"], "--output"),
         (["a.pcd", "b.pcd", "-o", ""], "--output: expected a file name, got nothing"),
         (["a.pcd", "b.pcd", "-o", "--quiet"], "--output: expected a file name, got '--quiet'"),

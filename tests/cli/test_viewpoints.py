@@ -27,7 +27,7 @@ def files(tmp_path, pair):
 
 @pytest.fixture
 def found(run, tmp_path):
-    """What the report says of a run."""
+    """Returns the report of a run."""
 
     def call(*arguments) -> dict:
         done = run(*arguments, "--report", "r.json")

@@ -1,7 +1,7 @@
-"""The installed package from outside: tiny programs that find it by CMake and by pkg-config.
+"""Tests the installed package from outside: tiny programs find it by CMake and by pkg-config.
 
 Installs the build in EMTR_BUILD_DIR (default: build/ in the checkout) into a temporary prefix,
-then moves the prefix, so that everything here also holds after a move.
+then moves the prefix: everything here also holds after a move.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def run(*command: str | Path, **kwargs) -> str:
 
 @pytest.fixture(scope="module")
 def prefix(tmp_path_factory) -> Path:
-    """The installed package, at another place than it was installed to."""
+    """Returns the prefix of the installed package, moved after the installation."""
     build = Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build"))
     if "EMTR_BUILD_DIR" not in os.environ and not (build / "cmake_install.cmake").is_file():
         pytest.skip(f"no build at {build} (set EMTR_BUILD_DIR)")
@@ -79,11 +79,11 @@ def by_pkg_config(project: str, libdir: Path, build: Path, *compiler: str) -> Pa
 
 
 def check(program: Path) -> dict[str, int]:
-    """Runs a consumer: the pose that it prints is right. Returns what else it tells."""
+    """Runs a consumer and checks the pose that it prints; returns the numbers that follow it."""
     lines = run(program, env=dict(os.environ, OMP_NUM_THREADS="2")).splitlines()
     true, found = (np.array(line.split(), float).reshape(4, 4) for line in lines[:2])
-    turn = np.linalg.norm(true[:3, :3] - found[:3, :3]) / (2 * np.sqrt(2))
-    assert np.degrees(2 * np.arcsin(turn)) < 5
+    chord = np.linalg.norm(true[:3, :3] - found[:3, :3]) / (2 * np.sqrt(2))
+    assert np.degrees(2 * np.arcsin(chord)) < 5
     assert np.linalg.norm(true[:3, 3] - found[:3, 3]) < 0.2  # at the origin, 2 radii away
     assert np.allclose(found[:3, :3] @ found[:3, :3].T, np.eye(3), atol=1e-12)
     words = lines[2].split() if len(lines) > 2 else []
@@ -92,7 +92,7 @@ def check(program: Path) -> dict[str, int]:
 
 def test_c_by_cmake(prefix, libdir, tmp_path):
     if is_static(libdir):
-        pytest.skip("an archive of C++ code asks for a C++ linker and PCL")
+        pytest.skip("an archive of C++ code needs a C++ linker and PCL")
     check(by_cmake("c", prefix, tmp_path, "-DCMAKE_DISABLE_FIND_PACKAGE_PCL=ON"))
 
 
@@ -103,11 +103,11 @@ def test_c_by_pkg_config(libdir, tmp_path):
 
 def test_class_by_cmake_in_cpp14(prefix, tmp_path):
     needs_class(prefix)
-    told = check(by_cmake("class", prefix, tmp_path, "-DCMAKE_CXX_STANDARD=14"))
-    assert told["compiled"] == 0  # the library is C++17, where the class is allocated otherwise
+    found = check(by_cmake("class", prefix, tmp_path, "-DCMAKE_CXX_STANDARD=14"))
+    assert found["compiled"] == 0  # the library is C++17, which allocates the class in another way
 
 
-def test_class_by_cmake_and_optimised(prefix, tmp_path):
+def test_class_by_cmake_and_optimized(prefix, tmp_path):
     needs_class(prefix)
     options = ("-DCMAKE_CXX_STANDARD=17", "-DCMAKE_BUILD_TYPE=Release")
     assert check(by_cmake("class", prefix, tmp_path, *options))["compiled"] == 1
@@ -122,20 +122,20 @@ def test_class_by_pkg_config(prefix, libdir, tmp_path):
 def test_class_without_precompiled_code(prefix, libdir, tmp_path):
     needs_class(prefix)
     compiler = (os.environ.get("CXX", "c++"), "-O1", "-DPCL_NO_PRECOMPILE")
-    told = check(by_pkg_config("class", libdir, tmp_path, *compiler))
-    assert told["compiled"] == 0
+    found = check(by_pkg_config("class", libdir, tmp_path, *compiler))
+    assert found["compiled"] == 0
 
 
 def test_class_under_avx2(prefix, tmp_path):
-    """Eigen then aligns to 32 bytes: another layout of the class than in the library."""
+    """Eigen then aligns to 32 bytes, so the class has another layout than in the library."""
     needs_class(prefix)
     if platform.machine() not in ("x86_64", "AMD64"):
-        pytest.skip(f"AVX2 is not of {platform.machine()}")
+        pytest.skip(f"{platform.machine()} has no AVX2")
     program = by_cmake("class", prefix, tmp_path, "-DCMAKE_CXX_FLAGS=-O3 -mavx2")
     if not re.search(r"\bavx2\b", Path("/proc/cpuinfo").read_text()):
         pytest.skip("built, but this processor has no AVX2 to run it")
-    told = check(program)
-    assert told == {"compiled": 0, "align": 32}
+    found = check(program)
+    assert found == {"compiled": 0, "align": 32}
 
 
 def test_an_unknown_component_is_refused(prefix, tmp_path):
@@ -172,15 +172,15 @@ def test_no_path_of_the_build_is_installed(prefix, libdir):
 
 
 def exported(library: Path) -> list[str]:
-    """The functions and tables that a shared library shows. The standard library's templates
-    and the names of types are the same wherever they come from."""
+    """Returns the functions and tables that a shared library exports, without the standard
+    library's templates and the names of types, which are the same from any library."""
     lines = run("nm", "-DC", "--defined-only", library).splitlines()
     names = (re.sub(r"^\S+ \w ", "", line) for line in lines)
     harmless = r"(^|[ *&])(std::|__gnu_cxx::)|^typeinfo "
     return [name for name in names if not re.search(harmless, name.split("(")[0])]
 
 
-def test_the_c_library_shows_its_own_names_only(libdir):
+def test_the_c_library_exports_its_own_names_only(libdir):
     if is_static(libdir):
         pytest.skip("built as an archive")
     names = exported(libdir / "libemtr.so")
@@ -188,7 +188,7 @@ def test_the_c_library_shows_its_own_names_only(libdir):
     assert [name for name in names if not name.startswith("emtr_")] == []
 
 
-def test_the_class_library_shows_its_own_names_only(prefix, libdir):
+def test_the_class_library_exports_its_own_names_only(prefix, libdir):
     needs_class(prefix)
     if is_static(libdir):
         pytest.skip("built as an archive")

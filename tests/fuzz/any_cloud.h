@@ -7,26 +7,27 @@
 
 namespace fuzz {
 
-/// What clouds are handed in with.
-struct Handed {
+/// The data that the user provides with a cloud, beside its points.
+struct UserData {
   bool normals = false;
-  std::size_t dimension = 0;  ///< of the features, 0: none
+  std::size_t dimension = 0;  ///< numbers of each feature, 0: no features
 };
 
-inline Handed any_user_input(Input& input) {
-  Handed out;
+inline UserData any_user_data(Input& input) {
+  UserData out;
   out.normals = input.ConsumeIntegralInRange(0, 2) == 2;
   if (input.ConsumeIntegralInRange(0, 2) == 2)
     out.dimension = input.ConsumeBool() ? 3 : input.ConsumeIntegralInRange<std::size_t>(1, 40);
   return out;
 }
 
-/// A cloud for the C API: points, and what they may be handed in with.
+/// A cloud for the C API: points, and perhaps normals and features.
 class AnyCloud {
  public:
-  /// Of at most `most` points; handed in as said, or now and then otherwise than its partner.
-  AnyCloud(Input& input, std::size_t most, Handed handed = {}) {
-    if (input.ConsumeIntegralInRange(0, 15) == 15) handed = any_user_input(input);
+  /// Makes at most `most` points with this data, or now and then with other data, so that the two
+  /// clouds of a pair differ.
+  AnyCloud(Input& input, std::size_t most, UserData user = {}) {
+    if (input.ConsumeIntegralInRange(0, 15) == 15) user = any_user_data(input);
     const AnySurface surface(input);
     const std::size_t count = most - input.ConsumeIntegralInRange<std::size_t>(0, most);
     view_.count = count;
@@ -40,8 +41,8 @@ class AnyCloud {
     spoil(points_, count, 3, 4, input);
     view_.points = points_.data();
     view_.stride = points_.stride();
-    if (handed.normals) set_user_normals(surface, input);
-    if (handed.dimension) set_user_features(surface, handed.dimension, input);
+    if (user.normals) add_normals(surface, input);
+    if (user.dimension) add_features(surface, user.dimension, input);
     view_.keep_points = input.ConsumeBool();
   }
 
@@ -49,7 +50,7 @@ class AnyCloud {
   double coordinate(std::size_t i, std::size_t axis) const { return points_.get(i, axis); }
 
  private:
-  void set_user_normals(const AnySurface& surface, Input& input) {
+  void add_normals(const AnySurface& surface, Input& input) {
     normals_ = AnyRows(input, view_.count, 3, view_.scalar);
     for (std::size_t i = 0; i < view_.count; ++i) {
       const AnySurface::Vector n = surface.normal(i);
@@ -60,7 +61,7 @@ class AnyCloud {
     view_.normal_stride = normals_.stride();
   }
 
-  void set_user_features(const AnySurface& surface, std::size_t dimension, Input& input) {
+  void add_features(const AnySurface& surface, std::size_t dimension, Input& input) {
     features_ = AnyRows(input, view_.count, dimension, EMTR_FLOAT32);
     for (std::size_t i = 0; i < view_.count; ++i)
       for (std::size_t d = 0; d < dimension; ++d) features_.set(i, d, surface.descriptor(i, d));
@@ -70,7 +71,7 @@ class AnyCloud {
     view_.feature_stride = features_.stride();
   }
 
-  /// Some numbers, `most` at most, become any number; seldom all become any bytes.
+  /// Replaces at most `most` numbers by any number, or seldom the whole memory by any bytes.
   static void spoil(AnyRows& rows, std::size_t count, std::size_t columns, int most, Input& input) {
     if (count == 0) return;
     if (input.ConsumeIntegralInRange(0, 15) == 15) rows.overwrite(input);

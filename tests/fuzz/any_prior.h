@@ -9,26 +9,26 @@
 
 namespace fuzz {
 
-/// Of a small range mostly, or any number.
+/// Returns a number from a small range, or now and then any number.
 inline double any_near(Input& input, double least, double most) {
   if (input.ConsumeIntegralInRange(0, 15) == 15) return any_double(input);
   return input.ConsumeFloatingPointInRange(least, most);
 }
 
-/// One chance in four, so that most runs are free.
+/// Returns true once in four times, so that most runs have few priors.
 inline bool seldom(Input& input) { return input.ConsumeIntegralInRange(0, 3) == 3; }
 
-/// A rotation and a shift, or nearly: one number may be any other.
+/// Sets a guess: a rotation and a translation, of which one number may be any other.
 inline void any_guess(Input& input, emtr_settings& settings) {
   if (!seldom(input)) return;
   settings.has_guess = 1;
   const Eigen::Vector3d axis(input.ConsumeIntegral<std::int8_t>(),
                              input.ConsumeIntegral<std::int8_t>(), 1);
-  const Eigen::AngleAxisd turn(input.ConsumeIntegral<std::uint8_t>() * M_PI / 64,
-                               axis.normalized());
+  const Eigen::AngleAxisd rotation(input.ConsumeIntegral<std::uint8_t>() * M_PI / 64,
+                                   axis.normalized());
   Eigen::Matrix<double, 4, 4, Eigen::RowMajor> guess;
   guess.setIdentity();
-  guess.topLeftCorner<3, 3>() = turn.toRotationMatrix();
+  guess.topLeftCorner<3, 3>() = rotation.toRotationMatrix();
   for (int k = 0; k < 3; ++k) guess(k, 3) = any_near(input, -1, 1);
   if (input.ConsumeIntegralInRange(0, 7) == 7)
     guess(input.ConsumeIntegralInRange(0, 3), input.ConsumeIntegralInRange(0, 3)) =
@@ -36,7 +36,7 @@ inline void any_guess(Input& input, emtr_settings& settings) {
   std::copy_n(guess.data(), 16, settings.guess);
 }
 
-/// What is known of the pose, or said to be: any part of it, together often too much.
+/// Sets any of the priors; together they often contradict each other.
 inline void any_prior(Input& input, emtr_settings& settings) {
   const auto maybe = [&](const char* name, double least, double most) {
     if (seldom(input)) accepted(emtr_setting_set(&settings, name, any_near(input, least, most)));

@@ -9,8 +9,8 @@
 
 namespace fuzz {
 
-/// Rows of numbers in a block of memory that ends with the last of them, so that a byte read too
-/// many is seen: of either scalar type, with any stride and alignment.
+/// Rows of numbers of either scalar type, with any stride and alignment. Their memory ends with the
+/// last number, so that a byte read too many is seen.
 class AnyRows {
  public:
   AnyRows() = default;
@@ -38,7 +38,7 @@ class AnyRows {
     return size_ == sizeof single ? single : value;
   }
 
-  /// Whatever bytes come.
+  /// Fills the memory with any bytes.
   void overwrite(Input& input) { input.ConsumeData(first_, bytes_); }
 
   const void* data() const { return first_; }

@@ -6,8 +6,8 @@
 
 namespace fuzz {
 
-/// A call of the C API that may be refused: by a status that exists and with words for it. True
-/// when it was not. An internal error is a defect, whatever the input.
+/// Returns whether a call of the C API succeeded. Requires of a failed call a status that blames
+/// the input, and a message: an internal error is a defect, whatever the input.
 inline bool accepted(emtr_status status) {
   if (status == EMTR_OK) return true;
   require(status == EMTR_ERROR_ARGUMENT || status == EMTR_ERROR_SETTING ||

@@ -1,4 +1,4 @@
-// One cloud on its way in: reading, validation, the frame.
+// Fuzzes how the library takes one cloud: reading, validation, normalization.
 #include <emtr/emtr.h>
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace {
 using fuzz::accepted;
 using fuzz::require;
 
-void prepare(const emtr_cloud& cloud, const std::string& name) {
+void preprocess(const emtr_cloud& cloud, const std::string& name) {
   emtr_preprocessed* preprocessed = nullptr;
   if (!accepted(emtr_preprocess(&cloud, name.c_str(), 1, &preprocessed))) {
     require(preprocessed == nullptr);
@@ -24,7 +24,7 @@ void prepare(const emtr_cloud& cloud, const std::string& name) {
   emtr_preprocessed_info info;
   require(accepted(emtr_preprocessed_describe(preprocessed, &info, sizeof info)));
   require(info.points + info.dropped == cloud.count && info.points >= 10);
-  require(info.kept == info.points);  // far too few to be thinned
+  require(info.kept == info.points);  // too few to be downsampled
   require(std::isfinite(info.radius) && info.radius > 0);
   for (const double value : info.center) require(std::isfinite(value));
   require(info.normals == (cloud.normals != nullptr));
@@ -32,7 +32,7 @@ void prepare(const emtr_cloud& cloud, const std::string& name) {
   require((info.described > 0) == (cloud.features != nullptr));
 }
 
-/// A view that contradicts itself.
+/// Makes a view contradict itself.
 emtr_cloud contradiction(emtr_cloud cloud, fuzz::Input& input) {
   const std::size_t packed = cloud.scalar == EMTR_FLOAT32 ? 12 : 24;
   const auto within = [&](std::size_t least, std::size_t most) {
@@ -50,7 +50,7 @@ emtr_cloud contradiction(emtr_cloud cloud, fuzz::Input& input) {
       cloud.normals = cloud.points;
       cloud.normal_stride = within(1, packed - 1);
       break;
-    case 3:  // features of no numbers, or numbers of no features
+    case 3:  // features without numbers, or numbers without features
       cloud.feature_dimension = cloud.features ? 0 : within(1, SIZE_MAX);
       break;
     case 4:
@@ -70,10 +70,10 @@ emtr_cloud contradiction(emtr_cloud cloud, fuzz::Input& input) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Input input(data, size);
   const std::string name = input.ConsumeRandomLengthString(8);
-  const fuzz::AnyCloud cloud(input, 64, fuzz::any_user_input(input));
-  prepare(cloud.view(), name);
+  const fuzz::AnyCloud cloud(input, 64, fuzz::any_user_data(input));
+  preprocess(cloud.view(), name);
 
-  // Refused before its memory is touched.
+  // The library refuses it before it touches the memory.
   const emtr_cloud wrong = contradiction(cloud.view(), input);
   emtr_preprocessed* preprocessed = nullptr;
   require(!accepted(emtr_preprocess(&wrong, nullptr, 1, &preprocessed)));

@@ -1,10 +1,11 @@
-// Files of a 4x4 matrix, as pcl_emtr --guess reads them.
+// Fuzzes files of a 4x4 matrix, as pcl_emtr --guess reads them.
 #include <string>
 
 #include "failure.h"
 #include "input.h"
-#include "matrix_text.h"
+#include "read/matrix_file.h"
 #include "scratch_file.h"
+#include "write/matrix_text.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::Scratch scratch;
@@ -14,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const cli::FileFailure&) {
     return 0;
   }
-  // What is read can be written, and is the same when read again.
+  // The matrix is the same when it is written and read again.
   const std::string text = cli::matrix_text(matrix);
   cli::read_matrix(
       scratch.file("out.txt", reinterpret_cast<const std::uint8_t*>(text.data()), text.size()),

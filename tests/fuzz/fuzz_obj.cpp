@@ -1,4 +1,4 @@
-// OBJ files, as pcl_emtr reads them.
+// Fuzzes OBJ files, as pcl_emtr reads them.
 #include "read_cloud.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

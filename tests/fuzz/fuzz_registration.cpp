@@ -1,11 +1,11 @@
-// A whole registration of two tiny clouds: at once, of prepared clouds, and stage by stage.
+// Fuzzes a whole registration of two tiny clouds: at once, of preprocessed clouds, stage by stage.
 #include <emtr/emtr.h>
 
 #include <memory>
 #include <string>
 
 #include "any_cloud.h"
-#include "any_matches.h"
+#include "any_correspondences.h"
 #include "calls.h"
 #include "input.h"
 #include "keeps_to_prior.h"
@@ -23,7 +23,7 @@ using Owned = std::unique_ptr<T, void (*)(T*)>;
 
 bool in_unit(double value) { return value >= 0 && value <= 1; }
 
-/// A rotation, a shift and (0, 0, 0, 1).
+/// Requires a rotation, a translation and the row (0, 0, 0, 1).
 void require_rigid(const double (&T)[16]) {
   for (int i = 0; i < 3; ++i) {
     require(std::isfinite(T[4 * i + 3]));
@@ -59,7 +59,7 @@ void check(const emtr_result& result, const emtr_settings& settings) {
   }
 }
 
-/// Stops a run at one of its stages.
+/// Stops a run at one of its calls of the progress callback.
 struct Stop {
   int left;
   static int at(const emtr_progress* progress, void* user) {
@@ -85,7 +85,7 @@ void read_array(const emtr_problem* problem, Input& input) {
   require(sum < 0x80000000u);
 }
 
-/// Tasks, complement and conversions of a problem, for any particles.
+/// Uses the tasks, the complement and the conversions of a problem, for any particles.
 void use(emtr_problem* problem, Input& input) {
   double particles[12], fitness[2], T[16], back[6], translation[3];
   for (double& value : particles) value = any_double(input);
@@ -114,10 +114,10 @@ void use(emtr_problem* problem, Input& input) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Input input(data, size);
   emtr_settings settings = fuzz::small_settings(input);
-  const fuzz::Handed handed = fuzz::any_user_input(input);
-  const fuzz::AnyCloud source(input, 48, handed), target(input, 48, handed);
-  const fuzz::AnyMatches matches(input, source.view().count, target.view().count);
-  matches.set_user_input(settings);
+  const fuzz::UserData user = fuzz::any_user_data(input);
+  const fuzz::AnyCloud source(input, 48, user), target(input, 48, user);
+  const fuzz::AnyCorrespondences correspondences(input, source.view().count, target.view().count);
+  correspondences.add_to(settings);
   Stop stop{input.ConsumeBool() ? input.ConsumeIntegralInRange(0, 15) : -1};
   emtr_result* result = nullptr;
   bool done = false;

@@ -1,4 +1,4 @@
-// Distances of each point of two clouds from the other one, moved by anything.
+// Fuzzes the distances between the points of two clouds, moved by any matrix.
 #include <emtr/emtr.h>
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ std::vector<Vector3d> points_of(const AnyCloud& cloud) {
   return out;
 }
 
-/// Against the nearest of all points, by the promise that the header makes.
+/// Compares with the nearest of all points, to the precision that the header promises.
 void require_distances(const std::vector<double>& distances, const std::vector<Vector3d>& points,
                        const std::vector<Vector3d>& others) {
   Vector3d low = Vector3d::Constant(INFINITY), high = -low;
@@ -52,12 +52,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const AnyCloud source(input, 32), target(input, 32);
   Eigen::Matrix<double, 4, 4, Eigen::RowMajor> T;
   T.setIdentity();
-  if (input.ConsumeBool()) {  // a quarter turn about x
+  if (input.ConsumeBool()) {  // 90 degrees about x
     T.row(1).swap(T.row(2));
     T.row(1) *= -1;
   }
   for (int n = input.ConsumeIntegralInRange(0, 2); n > 0; --n) {
-    // Mostly the shift, any of which keeps it rigid.
+    // Mostly the translation, which keeps it rigid whatever it is.
     const int place = 4 * input.ConsumeIntegralInRange(0, 2) + 3;
     T.data()[input.ConsumeBool() ? place : input.ConsumeIntegralInRange(0, 15)] =
         fuzz::any_double(input);

@@ -1,4 +1,4 @@
-// Settings: by name, and as whatever bytes the struct may hold.
+// Fuzzes settings: by name, and as any bytes that the struct can hold.
 #include <emtr/emtr.h>
 
 #include <string>
@@ -19,7 +19,7 @@ std::string any_name(Input& input) {
   return input.ConsumeRandomLengthString(24);
 }
 
-/// What was taken can be read back; what was refused has changed nothing.
+/// Sets any value; requires that it can be read back if it was taken, and changed nothing if not.
 void set(emtr_settings& settings, Input& input) {
   const std::string name = any_name(input);
   const double value = fuzz::any_double(input);
@@ -54,15 +54,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int i = 0; i < 20 && input.remaining_bytes() > 0; ++i)
     input.ConsumeBool() ? set(settings, input) : overwrite(settings, input);
 
-  settings.correspondences = nullptr;  // memory of the caller's, which has to be there
+  settings.correspondences = nullptr;  // an array of the caller, which has to exist
   settings.correspondence_count = 0;
 
-  // The whole of them is judged before the clouds are looked at, and these have no points.
+  // The library checks all settings before it looks at the clouds, and these have no points.
   const emtr_cloud empty{nullptr, 0, 0, EMTR_FLOAT32};
   emtr_result* result = nullptr;
   const bool ran = accepted(emtr_register(&empty, &empty, &settings, nullptr, nullptr, &result));
   require(ran == (result != nullptr));
-  // A limit of next to no time ends the run before it looks at them.
+  // A time limit near zero ends the run before it looks at the clouds.
   require(!ran || result->reason == EMTR_REASON_TIME_LIMIT);
   emtr_result_free(result);
   return 0;

@@ -11,12 +11,12 @@ namespace fuzz {
 
 using Input = FuzzedDataProvider;
 
-/// Ends the process, which libFuzzer reports, when something does not hold.
+/// Ends the process unless the condition holds; libFuzzer reports that.
 inline void require(bool holds) {
   if (!holds) __builtin_trap();
 }
 
-/// Any double at all: a plain one, one of those that break things, or eight bytes as they come.
+/// Returns any double: a plain one, one that often breaks things, or any eight bytes.
 inline double any_double(Input& input) {
   static const double special[] = {0.0,
                                    -0.0,

@@ -9,8 +9,8 @@
 
 namespace fuzz {
 
-/// The priors of some settings, by formulas that the library has not, up to what rounding does to
-/// a pose of clouds at their places and of their size.
+/// Checks poses against the priors of some settings, by other formulas than the library's, with a
+/// tolerance for what rounding does to a pose of clouds of their size at their places.
 class KeptPrior {
  public:
   KeptPrior(const emtr_settings& settings, const emtr_result& result)
@@ -38,7 +38,7 @@ class KeptPrior {
 
   static double size(const double (&v)[3]) { return Eigen::Vector3d::Map(v).stableNorm(); }
 
-  /// Its angle; exact near 0 and near 180 too.
+  /// Returns the angle of a rotation, which is exact near 0 and near 180 too.
   static double degrees(const Eigen::Matrix3d& R) {
     const Eigen::Quaterniond q = Eigen::Quaterniond(R).normalized();
     return 2 * std::atan2(q.vec().norm(), std::abs(q.w())) / kDegree;

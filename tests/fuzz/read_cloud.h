@@ -9,33 +9,33 @@
 #include <vector>
 
 #include "calls.h"
-#include "cloud_file.h"
-#include "cloud_output.h"
-#include "coordinates.h"
 #include "failure.h"
-#include "moved_cloud.h"
+#include "read/cloud_file.h"
+#include "read/coordinates.h"
 #include "scratch_file.h"
+#include "write/cloud_output.h"
+#include "write/moved_cloud.h"
 
 namespace fuzz {
 
-/// Written as --aligned would, the cloud is whole again when it is read.
+/// Writes the cloud as --aligned does, and requires that it is complete when it is read again.
 inline void write_and_read(const cli::CloudFile& cloud, const std::string& path) {
   try {
     cli::require_writable_as(path, cloud);
     cli::write_cloud(cloud, path, path);
   } catch (const cli::FileFailure&) {
-    return;  // PLY cannot hold all fields that PCD can, and PCL's writer no odd names of colours
+    return;  // PLY cannot hold all fields that PCD can, nor PCL's writer odd names of colors
   }
   try {
     require(cli::load_cloud(path).size() == cloud.size());
   } catch (const cli::FileFailure& failure) {
-    // Once in a while the fuzzer makes points whose bytes spell a line of a header.
+    // Now and then the fuzzer makes points whose bytes spell a line of a header.
     require(std::string(failure.what()).find("its points begin with a line") != std::string::npos);
   }
 }
 
-/// A file of these bytes as pcl_emtr takes it: read, or refused by a FileFailure and by nothing
-/// else; and what was read, used as the command does.
+/// Reads a file of these bytes as pcl_emtr does. It may refuse the file by a FileFailure and by
+/// nothing else; what it reads is used as the command uses it.
 inline void read_cloud(const std::string& extension, const std::uint8_t* data, std::size_t size) {
   static const Scratch scratch;
   const std::string path = scratch.file("in" + extension, data, size);

@@ -12,14 +12,14 @@
 
 namespace fuzz {
 
-/// A folder of this process alone, in TMPDIR, that goes when the process ends.
+/// A folder in TMPDIR for this process alone, which is removed when the process ends.
 class Scratch {
  public:
   Scratch() {
     std::string name = (std::filesystem::temp_directory_path() / "emtr-fuzz-XXXXXX").string();
     require(mkdtemp(name.data()) != nullptr);
     folder_ = name;
-    // What PCL's readers say of each file would cost more than reading it.
+    // PCL's readers print more about each file than reading it costs.
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   }
   ~Scratch() {
@@ -31,7 +31,7 @@ class Scratch {
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// A file of just these bytes.
+  /// Writes a file of these bytes; returns its path.
   std::string file(const std::string& name, const std::uint8_t* data, std::size_t size) const {
     std::ofstream out(path(name), std::ios::binary);
     out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));

@@ -144,7 +144,7 @@ def obj() -> dict[str, bytes]:
         + vertices
         + normals
         + b"g part\nusemtl none\ns off\nvt 0 1\nf 1//1 2//2 3//3\nf 1 2 3 4\nl 1 2\n",
-        "colours": b"".join(b"v %g %g %g 0.5 0.5 1\n" % p for p in POINTS),
+        "colors": b"".join(b"v %g %g %g 0.5 0.5 1\n" % p for p in POINTS),
     }
 
 

@@ -16,7 +16,7 @@ inline void limit(emtr_settings& settings, const char* name, double most) {
   require(accepted(emtr_setting_set(&settings, name, std::min(value, most))));
 }
 
-/// Any preset with any changes, of which only those that cost time are cut down.
+/// Returns any preset with any changes; limits only those settings that cost time.
 inline emtr_settings small_settings(Input& input) {
   emtr_settings settings;
   const char* preset = emtr_preset_name(input.ConsumeIntegralInRange<std::size_t>(0, 3));
@@ -38,10 +38,10 @@ inline emtr_settings small_settings(Input& input) {
   limit(settings, "candidates", 3);
   limit(settings, "fallback_seeds", 4);
   limit(settings, "fallback_candidates", 3);
-  // Tiny clouds leave every run in doubt: all of them would make the second search, which costs as
-  // much as ten without.
+  // Tiny clouds have low confidence in every run, so that all of them would make the fallback
+  // search, which costs as much as ten runs without it.
   if (!seldom(input)) settings.fallback_search = 0;
-  // Images of what a sensor sees have a pixel for each leaf.
+  // A depth map of what a sensor sees has a pixel for each leaf.
   settings.minimum_leaf_spacing = std::max(settings.minimum_leaf_spacing, 0.5);
   any_prior(input, settings);
   const auto place = [&](std::int32_t& known, double(&at)[3]) {

@@ -77,9 +77,10 @@ def of_seed(seed):
     return bits(shapes.make_pair(1), seed, threads=2)
 
 
-def test_a_pool_of_forked_processes(pair):
+@pytest.mark.parametrize("method", ["fork", "forkserver"])
+def test_a_pool_of_forked_processes(pair, method):
     alone = [bits(pair, seed, threads=2) for seed in range(4)]
-    with multiprocessing.get_context("fork").Pool(2) as pool:
+    with multiprocessing.get_context(method).Pool(2) as pool:
         assert pool.map_async(of_seed, range(4)).get(timeout=600) == alone
 
 

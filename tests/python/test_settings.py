@@ -50,7 +50,6 @@ def test_the_paper_preset_is_the_method_as_published():
     assert paper["seeds"] == paper["injected_seeds"] == paper["candidates"] == 0
     assert paper["fallback_search"] == "off" and paper["features"] == "pcl"
     assert paper["rotation_vector_steps"] == paper["arc_transfer"] == "off"
-    assert paper["restart_after"] == 0
     assert paper["refine"] is paper["free_space"] is False
 
 
@@ -69,8 +68,6 @@ def test_swarms_step_in_their_own_way_where_no_particle_starts_at_a_seed():
     )
     for one in angles:
         assert not np.array_equal(alone, pose(seeds=0, **{one: "off"}))
-    assert np.array_equal(pose(), pose(restart_after=1))
-    assert not np.array_equal(alone, pose(seeds=0, restart_after=1))
 
 
 @settings(max_examples=300, deadline=None)

@@ -5,8 +5,8 @@
 
 namespace cli {
 
-/// What the process returns; documented in --help. Stopped by a signal it returns kSignal and that
-/// signal's number, as a shell would say of a program that was ended by it.
+/// The exit codes of the process, as --help-all documents them. A run that a signal stopped returns
+/// kSignal plus the signal's number, as a shell reports a program that was ended by it.
 enum ExitCode { kRegistered = 0, kUsage = 1, kInputOutput = 2, kNotRegistered = 3, kSignal = 128 };
 
 /// Ends the run with one line on standard error and this exit code.
@@ -15,12 +15,12 @@ struct Failure : std::runtime_error {
   int code;
 };
 
-/// A wrong command line; names the option and what was expected.
+/// Reports a wrong command line; the message names the option and what was expected.
 struct UsageFailure : Failure {
   explicit UsageFailure(const std::string& message) : Failure(kUsage, message) {}
 };
 
-/// Something wrong with one file, which the message begins with.
+/// Reports a fault in one file; the message begins with its path.
 struct FileFailure : Failure {
   FileFailure(const std::string& path, const std::string& what)
       : Failure(kInputOutput, "'" + path + "': " + what) {}

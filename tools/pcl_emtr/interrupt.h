@@ -2,8 +2,8 @@
 
 namespace cli {
 
-/// While it lives, the first SIGINT or SIGTERM only asks the run to stop, so that the best pose
-/// so far can be given; the second ends the process as ever.
+/// Turns the first SIGINT or SIGTERM into a request to stop while it lives, so that the run can
+/// still write its best pose. A second signal ends the process as usual.
 class Interrupt {
  public:
   Interrupt();
@@ -12,10 +12,10 @@ class Interrupt {
   Interrupt& operator=(const Interrupt&) = delete;
 
   static bool requested() { return number() != 0; }
-  static int number();  ///< of the signal that asked, 0 for none
+  static int number();  ///< the signal that asked to stop, 0 for none
 };
 
-/// From here on the process finishes what it began: its files are being put in place.
+/// Ignores SIGINT and SIGTERM from here on, so that the output files are put in place together.
 void ignore_interrupts();
 
 }  // namespace cli

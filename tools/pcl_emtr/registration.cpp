@@ -2,42 +2,49 @@
 
 #include <cmath>
 
-#include "coordinates.h"
+#include "console/progress_line.h"
 #include "failure.h"
 #include "interrupt.h"
-#include "progress_line.h"
+#include "read/coordinates.h"
 
 namespace cli {
 namespace {
 
+/// Shows the progress; returns 1, which stops the run, once a signal asked for it.
 int on_progress(const emtr_progress* progress, void* line) {
   static_cast<ProgressLine*>(line)->show(*progress);
   return Interrupt::requested() ? 1 : 0;
 }
 
-/// The library speaks of "source cloud" and "setting 'guess'"; the user knows files.
+/// Returns what follows `prefix` in a message of the library, or "".
+std::string after(const std::string& prefix, const std::string& message) {
+  return message.compare(0, prefix.size(), prefix) == 0 ? message.substr(prefix.size()) : "";
+}
+
+/// Names the line of the file in place of the row of the array, where the message has one.
+[[noreturn]] void fail_correspondences(const CorrespondenceFile& file, const std::string& what) {
+  const auto colon = what.find(": ");
+  if (what.compare(0, 4, "row ") != 0 || colon == std::string::npos)
+    throw FileFailure(file.path, what);
+  const auto line = file.lines.at(std::stoul(what.substr(4)));
+  throw FileFailure(file.path, "line " + std::to_string(line) + what.substr(colon));
+}
+
+/// Translates the library's error: it names "source cloud" and "setting 'guess'", the user knows
+/// files.
 [[noreturn]] void fail(emtr_status status, const Options& options) {
   const std::string message = emtr_error_message();
-  const auto after = [&](const std::string& prefix) -> std::string {
-    return message.compare(0, prefix.size(), prefix) == 0 ? message.substr(prefix.size()) : "";
-  };
-  if (const auto what = after("correspondences: "); !what.empty()) {
-    const CorrespondenceFile& file = options.correspondences;
-    const auto colon = what.find(": ");
-    if (what.compare(0, 4, "row ") != 0 || colon == std::string::npos)
-      throw FileFailure(file.path, what);
-    const auto line = file.lines.at(std::stoul(what.substr(4)));
-    throw FileFailure(file.path, "line " + std::to_string(line) + what.substr(colon));
-  }
+  if (const auto what = after("correspondences: ", message); !what.empty())
+    fail_correspondences(options.correspondences, what);
   if (status == EMTR_ERROR_CLOUD || status == EMTR_ERROR_ARGUMENT) {
-    if (const auto what = after("source cloud: "); !what.empty())
+    if (const auto what = after("source cloud: ", message); !what.empty())
       throw FileFailure(options.source, what);
-    if (const auto what = after("target cloud: "); !what.empty())
+    if (const auto what = after("target cloud: ", message); !what.empty())
       throw FileFailure(options.target, what);
     throw Failure(kInputOutput, "'" + options.source + "', '" + options.target + "': " + message);
   }
   if (status == EMTR_ERROR_SETTING) {
-    if (const auto what = after("setting 'guess' "); !what.empty())
+    if (const auto what = after("setting 'guess' ", message); !what.empty())
       throw FileFailure(options.guess, what);
     throw UsageFailure(message);
   }
@@ -53,8 +60,8 @@ Result run_registration(const CloudFile& source, const CloudFile& target, const 
   emtr_cloud target_points = coordinates(target, target_copy);
   std::vector<double> source_normals;
   std::vector<double> target_normals;
-  options.fields.set_user_input(source, source_points, source_normals);
-  options.fields.set_user_input(target, target_points, target_normals);
+  options.fields.attach(source, source_points, source_normals);
+  options.fields.attach(target, target_points, target_normals);
 
   emtr_result* raw = nullptr;
   emtr_status status;

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "cloud_file.h"
-#include "command_line.h"
+#include "options/options.h"
+#include "read/cloud_file.h"
 
 namespace cli {
 
@@ -14,11 +14,11 @@ struct FreeResult {
 };
 using Result = std::unique_ptr<emtr_result, FreeResult>;
 
-/// Runs the registration with progress line and interrupts. Never null; the pose is finite.
-/// Throws a Failure that names the file at fault.
+/// Registers the clouds, with a progress line and until a signal asks to stop. The result is never
+/// null and its pose is finite. Throws a Failure that names the file at fault.
 Result run_registration(const CloudFile& source, const CloudFile& target, const Options& options);
 
-/// What the process returns for a result.
+/// Returns the exit code of the process for a result.
 int exit_code(const emtr_result& result);
 
 }  // namespace cli

@@ -5,21 +5,24 @@
 #include <cstring>
 #include <string>
 
-#include "util/error.h"
 #include "geometry/rigid.h"
 #include "settings/settings.h"
+#include "util/error.h"
 
 namespace emtr {
 
+/// Returns what the pointer points to; throws Error naming the argument when it is null.
 template <class T>
 T& required(T* pointer, const char* name) {
   if (!pointer) throw Error(EMTR_ERROR_ARGUMENT, std::string(name) + " is null");
   return *pointer;
 }
 
-/// To a caller who was compiled with this header or a later one, whose further fields become zero.
+/// Copies an info to a caller that was compiled with this header or a later one, and sets the
+/// fields that this version does not know to zero. Throws Error when the caller's struct is too
+/// small.
 template <class Info>
-void hand_out(const Info& info, Info* out, std::size_t size) {
+void copy_info(const Info& info, Info* out, std::size_t size) {
   required(out, "info");
   if (size < sizeof(Info))
     throw Error(EMTR_ERROR_ARGUMENT, "size is " + std::to_string(size) + ", expected at least " +
@@ -28,15 +31,22 @@ void hand_out(const Info& info, Info* out, std::size_t size) {
   std::memcpy(static_cast<void*>(out), &info, sizeof(Info));
 }
 
-/// Of this version's size. Throws Error.
+/// Returns the settings; throws Error when the pointer is null or the size field does not match
+/// this library.
 Settings& checked(emtr_settings* settings);
-/// Null: preset "default".
+const Settings& checked(const emtr_settings* settings);
+
+/// Returns the settings as checked() does, or preset "default" for a null pointer.
 Settings settings_or_preset(const emtr_settings* settings);
 
-/// Throws Error when the matrix is not rigid.
-Rigid given_rigid(const double T[16]);
+/// Returns the pose of a matrix; throws Error when it is not a rigid transformation.
+Rigid checked_pose(const double transformation[16]);
 
-/// As the setting `threads`. Throws Error.
-int given_threads(std::int32_t threads);
+/// Returns how many threads to use for this value of the setting `threads`; throws Error when it is
+/// out of its range.
+int checked_threads(std::int32_t threads);
+
+/// Returns the index; throws Error when it is not below `count`.
+std::size_t checked_index(std::size_t index, std::size_t count);
 
 }  // namespace emtr

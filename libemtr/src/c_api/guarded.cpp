@@ -1,11 +1,11 @@
 #include "c_api/guarded.h"
 
-#include <cfenv>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "util/default_arithmetic.h"
 #include "util/error.h"
 
 namespace emtr {
@@ -19,8 +19,8 @@ struct Interrupt {
 };
 thread_local Interrupt interrupt;
 
-/// Keeps the message even when there is no memory for it: a short one needs none.
-void tell(const char* prefix, const char* text) noexcept {
+/// Keeps a message; a short one where there is no memory for it.
+void keep_message(const char* prefix, const char* text) noexcept {
   try {
     last_error = std::string(prefix) + text;
   } catch (const std::bad_alloc&) {
@@ -28,27 +28,12 @@ void tell(const char* prefix, const char* text) noexcept {
   }
 }
 
-/// The default floating-point environment while it lives: rounding to nearest, and no denormal
-/// taken for zero, whatever the caller or a library of its that was built with -ffast-math has set.
-class DefaultArithmetic {
- public:
-  DefaultArithmetic() {
-    std::fegetenv(&callers_);
-    std::fesetenv(FE_DFL_ENV);
-  }
-  ~DefaultArithmetic() { std::fesetenv(&callers_); }
-  DefaultArithmetic(const DefaultArithmetic&) = delete;
-  DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
-
- private:
-  std::fenv_t callers_;
-};
-
 }  // namespace
 
 OnProgress interrupt_function() {
   if (!interrupt.ask) return nullptr;
   return [](const emtr_progress&) {
+    // Calls from within the interrupt ask nobody.
     struct Unasked {
       const Interrupt now = std::exchange(interrupt, {});
       ~Unasked() { interrupt = now; }
@@ -65,28 +50,28 @@ OnProgress progress_function(emtr_progress_fn progress, void* user) {
 emtr_status guarded(void (*call)(const void* body), const void* body) noexcept {
   const DefaultArithmetic arithmetic;
   try {
-    // Not the watch of the run that this may be called back from.
-    CancellationToken watch(interrupt_function());
-    const CancellationScope watched(interrupt.ask ? &watch : nullptr);
+    // A call from within a callback must not ask the token of the run that calls back.
+    CancellationToken token(interrupt_function());
+    const CancellationScope scope(interrupt.ask ? &token : nullptr);
     call(body);
     return EMTR_OK;
   } catch (const Error& error) {
-    tell("", error.what());
+    keep_message("", error.what());
     return error.status();
   } catch (const Cancelled&) {
-    tell("", "interrupted");
+    keep_message("", "interrupted");
     return EMTR_ERROR_INTERRUPTED;
   } catch (const std::bad_alloc&) {
-    tell("", "out of memory");
+    keep_message("", "out of memory");
     return EMTR_ERROR_MEMORY;
   } catch (const std::length_error&) {
-    tell("", "out of memory");
+    keep_message("", "out of memory");
     return EMTR_ERROR_MEMORY;
   } catch (const std::exception& error) {
-    tell("unexpected: ", error.what());
+    keep_message("unexpected: ", error.what());
     return EMTR_ERROR_INTERNAL;
   } catch (...) {
-    tell("", "the progress function threw what is no std::exception");
+    keep_message("", "the progress function threw what is no std::exception");
     return EMTR_ERROR_INTERNAL;
   }
 }

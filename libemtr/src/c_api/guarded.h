@@ -6,7 +6,8 @@
 
 namespace emtr {
 
-/// Calls the body, which may throw; what it throws becomes a status and this thread's message.
+/// Calls the body in the default floating-point environment. Turns what it throws into a status and
+/// this thread's error message.
 emtr_status guarded(void (*call)(const void* body), const void* body) noexcept;
 
 template <class Body>
@@ -14,10 +15,10 @@ emtr_status guarded(const Body& body) noexcept {
   return guarded([](const void* own) { (*static_cast<const Body*>(own))(); }, &body);
 }
 
-/// Of this thread, as a run asks it; null when there is none.
+/// Returns this thread's interrupt as a run asks it, null when there is none.
 OnProgress interrupt_function();
 
-/// The caller's, or else this thread's interrupt.
+/// Returns the user's progress function as a run calls it, or else this thread's interrupt.
 OnProgress progress_function(emtr_progress_fn progress, void* user);
 
 }  // namespace emtr

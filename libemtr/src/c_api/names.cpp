@@ -1,9 +1,10 @@
-// Of statuses, reasons, the version and the kernel.
+// Names of statuses, reasons and stages, of the version and the kernel.
 #include <emtr/emtr.h>
 
-#include "util/enum_number.h"
-#include "kernels/kernels.h"
 #include "c_api/guarded.h"
+#include "kernels/kernels.h"
+#include "util/enum_number.h"
+#include "util/stage.h"
 
 #define EMTR_TEXT_(x) #x
 #define EMTR_TEXT(x) EMTR_TEXT_(x)
@@ -68,6 +69,10 @@ const char* emtr_reason_text(emtr_reason reason) {
       return "the time limit was reached";
   }
   return "unknown reason";
+}
+
+const char* emtr_stage_name(size_t index) {
+  return index < emtr::kStageCount ? emtr::stage_name(static_cast<emtr::Stage>(index)) : nullptr;
 }
 
 const char* emtr_version(void) {

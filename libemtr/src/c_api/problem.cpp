@@ -4,37 +4,41 @@
 
 #include <algorithm>
 #include <memory>
-#include <string>
+#include <utility>
 
-#include "util/enum_number.h"
 #include "c_api/arguments.h"
 #include "c_api/guarded.h"
 #include "c_api/handles.h"
+#include "pipeline/solve.h"
+#include "util/enum_number.h"
 
 using emtr::checked;
 using emtr::guarded;
+using emtr::InputCloud;
 using emtr::required;
 
 namespace {
 
-/// Of clouds, or of prepared ones.
-template <class Cloud>
-emtr_problem* made(const Cloud& source, const Cloud& target, const emtr_settings* settings) {
-  auto problem = std::make_unique<emtr_problem>(source, target, emtr::settings_or_preset(settings),
-                                                emtr::interrupt_function());
-  if (problem->stopped()) throw emtr::Cancelled();
-  return problem.release();
+/// Makes a problem within no time limit.
+emtr_problem* make(InputCloud source, InputCloud target, const emtr_settings* settings) {
+  emtr::CancellationToken token(emtr::interrupt_function());
+  auto problem = emtr::make_problem(source, target, emtr::settings_or_preset(settings), token);
+  if (problem->stopped) throw emtr::Cancelled();
+  return new emtr_problem(std::move(problem));
 }
 
 }  // namespace
 
 extern "C" {
 
-emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* source, const emtr_preprocessed* target,
-                                         const emtr_settings* settings, emtr_problem** problem) {
+emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* source,
+                                             const emtr_preprocessed* target,
+                                             const emtr_settings* settings,
+                                             emtr_problem** problem) {
   return guarded([&] {
     required(problem, "problem") = nullptr;
-    *problem = made(required(source, "source").cloud, required(target, "target").cloud, settings);
+    *problem = make({nullptr, required(source, "source").cloud},
+                    {nullptr, required(target, "target").cloud}, settings);
   });
 }
 
@@ -42,7 +46,8 @@ emtr_status emtr_problem_create(const emtr_cloud* source, const emtr_cloud* targ
                                 const emtr_settings* settings, emtr_problem** problem) {
   return guarded([&] {
     required(problem, "problem") = nullptr;
-    *problem = made(required(source, "source"), required(target, "target"), settings);
+    *problem = make({&required(source, "source"), nullptr}, {&required(target, "target"), nullptr},
+                    settings);
   });
 }
 
@@ -52,7 +57,9 @@ emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress,
                                emtr_result** result) {
   return guarded([&] {
     required(result, "result") = nullptr;
-    *result = checked(problem).solve(emtr::progress_function(progress, user)).release();
+    const emtr::Problem& p = *checked(problem).data;
+    emtr::CancellationToken token(emtr::progress_function(progress, user), p.settings.time_limit);
+    *result = emtr::solve(p, token).release();
   });
 }
 
@@ -63,11 +70,12 @@ uint64_t emtr_problem_queries(const emtr_problem* problem) {
 emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info* info,
                                   size_t size) {
   return guarded([&] {
-    const emtr_problem& p = checked(problem);
+    const emtr::Problem& p = *checked(problem).data;
+    const emtr::Normalization& normalization = p.pair.normalization;
     emtr_problem_info out{};
-    out.normalization_scale = p.normalization.scale;
-    std::copy_n(p.normalization.center_source, 3, out.center_source);
-    std::copy_n(p.normalization.center_target, 3, out.center_target);
+    out.normalization_scale = normalization.scale;
+    std::copy_n(normalization.center_source, 3, out.center_source);
+    std::copy_n(normalization.center_target, 3, out.center_target);
     out.leaf_sparse = p.downsampled.leaf_sparse;
     out.leaf_dense = p.downsampled.leaf_dense;
     out.c_sparse = p.alpha->scale(EMTR_STAGE_SPARSE);
@@ -75,18 +83,18 @@ emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info
     out.tau = p.tau;
     out.tims = p.tims.formed();
     out.tims_pruned = p.tims.pruned;
-    emtr::hand_out(out, info, size);
+    emtr::copy_info(out, info, size);
   });
 }
 
 emtr_status emtr_problem_array(const emtr_problem* problem, emtr_array which, const void** data,
                                size_t* rows, size_t* columns) {
   return guarded([&] {
-    const emtr_problem& p = checked(problem);
+    const emtr::ProblemArrays& arrays = checked(problem).arrays;
     const int number = emtr::number_of(which);
     if (number < EMTR_SOURCE_SPARSE || number > EMTR_TARGET_FEATURE_ROWS)
       throw emtr::Error(EMTR_ERROR_ARGUMENT, "array: there is none of that number");
-    const emtr::ProblemArrays::View array = p.arrays.view(which);
+    const emtr::ProblemArrays::View array = arrays.view(which);
     required(data, "data") = array.data;
     required(rows, "rows") = array.rows;
     required(columns, "columns") = array.columns;

@@ -19,14 +19,17 @@ ProblemArrays::View ProblemArrays::view(emtr_array which) const {
   const auto plain = [](const std::vector<float>& values, std::size_t columns) {
     return View{values.data(), values.size() / columns, columns};
   };
-  const auto features = [&](const Features& dense, const FeatureCloud* handed) {
-    return handed && handed->dimension ? plain(handed->descriptors, handed->dimension)
-                                       : plain(dense.descriptors, kFeatureSize);
+  const auto features = [&](const Features& dense, const Keypoints* keypoints) {
+    return keypoints && keypoints->dimension ? plain(keypoints->descriptors, keypoints->dimension)
+                                             : plain(dense.descriptors, kFeatureSize);
   };
-  const auto rows = [](const FeatureCloud* handed) {
-    return handed ? View{handed->rows.data(), handed->rows.size(), 1} : View{nullptr, 0, 1};
+  const auto rows = [](const Keypoints* keypoints) {
+    return keypoints ? View{keypoints->rows.data(), keypoints->rows.size(), 1}
+                     : View{nullptr, 0, 1};
   };
   const Problem& p = problem_;
+  const Keypoints* source_keypoints = p.user_keypoints ? &p.user_keypoints->source : nullptr;
+  const Keypoints* target_keypoints = p.user_keypoints ? &p.user_keypoints->target : nullptr;
   switch (which) {
     case EMTR_SOURCE_SPARSE:
       return interleaved(which, p.downsampled.source_sparse);
@@ -41,9 +44,9 @@ ProblemArrays::View ProblemArrays::view(emtr_array which) const {
     case EMTR_TARGET_NORMALS:
       return plain(p.target_features.normals, 3);
     case EMTR_SOURCE_FEATURES:
-      return features(p.source_features, p.handed ? &p.handed->source : nullptr);
+      return features(p.source_features, source_keypoints);
     case EMTR_TARGET_FEATURES:
-      return features(p.target_features, p.handed ? &p.handed->target : nullptr);
+      return features(p.target_features, target_keypoints);
     case EMTR_CORRESPONDENCES:
       return {p.correspondences.data(), p.correspondences.size(), 2};
     case EMTR_TIM_SOURCE:
@@ -55,9 +58,9 @@ ProblemArrays::View ProblemArrays::view(emtr_array which) const {
     case EMTR_TARGET_FEATURE_POINTS:
       return interleaved(which, p.matched_target());
     case EMTR_SOURCE_FEATURE_ROWS:
-      return rows(p.handed ? &p.handed->source : nullptr);
+      return rows(source_keypoints);
     case EMTR_TARGET_FEATURE_ROWS:
-      return rows(p.handed ? &p.handed->target : nullptr);
+      return rows(target_keypoints);
   }
   throw Error(EMTR_ERROR_ARGUMENT, "array: there is none of that number");
 }

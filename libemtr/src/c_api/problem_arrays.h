@@ -9,8 +9,8 @@
 
 namespace emtr {
 
-/// A problem's arrays as callers expect them, row by row. The engine keeps clouds as structures
-/// of arrays; what is asked for is interleaved once and kept.
+/// Shows the arrays of a problem row by row. The engine keeps clouds as structures of arrays; a
+/// cloud that is asked for is interleaved once and kept.
 class ProblemArrays {
  public:
   struct View {
@@ -20,7 +20,8 @@ class ProblemArrays {
 
   explicit ProblemArrays(const Problem& problem) : problem_(problem) {}
 
-  View view(emtr_array which) const;  ///< throws Error when there is no such array
+  /// Returns one of the arrays; throws Error when there is none of that number.
+  View view(emtr_array which) const;
 
  private:
   View interleaved(emtr_array which, const Cloud& cloud) const;

@@ -1,35 +1,73 @@
 #include <emtr/emtr.h>
 
 #include <memory>
-#include <utility>
 
-#include "pipeline/result.h"
 #include "c_api/arguments.h"
 #include "c_api/guarded.h"
 #include "c_api/handles.h"
+#include "pipeline/input_cloud.h"
+#include "pipeline/problem.h"
+#include "pipeline/result.h"
+#include "pipeline/solve.h"
+#include "settings/validation.h"
+#include "util/cancellation.h"
+#include "util/thread_team.h"
 
 using emtr::guarded;
+using emtr::InputCloud;
 using emtr::required;
-using emtr::settings_or_preset;
 
 namespace {
 
-emtr_result* run(const emtr::Settings& settings, emtr_progress_fn progress, void* user,
-                 const emtr::Problem::Normalize& normalized) {
-  emtr::CancellationToken watch(emtr::progress_function(progress, user), settings.time_limit);
-  const emtr::Problem problem(normalized, settings, watch);
-  return problem.solve(watch).release();
+/// Returns the settings with the number of threads resolved: inside its own parallel region a run
+/// can no longer ask OpenMP for it.
+emtr::Settings resolved_settings(const emtr_settings* settings) {
+  emtr::Settings chosen = emtr::settings_or_preset(settings);
+  emtr::validate(chosen);
+  chosen.threads = emtr::thread_count(chosen);
+  return chosen;
 }
 
-/// What is kept of a cloud, or is from now on.
-emtr::PreprocessedCloudPtr preprocessed(const emtr_cloud* cloud, emtr_preprocessed** kept, const char* name,
-                                const emtr::Settings& settings) {
-  if (kept && *kept) return (*kept)->cloud;
-  auto made = std::make_shared<const emtr::PreprocessedCloud>(emtr::kept(*cloud, settings), name,
-                                                          emtr::thread_count(settings));
-  if (kept) *kept = new emtr_preprocessed{made};
-  return made;
+/// Registers in one parallel region: between two regions OpenMP would have its threads spin.
+emtr_result* run(InputCloud& source, InputCloud& target, const emtr_settings* settings,
+                 emtr_progress_fn progress, void* user) {
+  const emtr::Settings chosen = resolved_settings(settings);
+  emtr::CancellationToken token(emtr::progress_function(progress, user), chosen.time_limit);
+  emtr::CancellationToken* const outer = emtr::CancellationScope::current();
+  const emtr::CancellationScope scope(&token);  // by which the stages find the region's team
+  emtr_result* result = nullptr;
+  emtr::ThreadTeam::with(chosen.threads, [&](emtr::ThreadTeam&) {
+    const emtr::CancellationScope between_stages(outer);  // a stopped run has its result to write
+    const auto problem = emtr::make_problem(source, target, chosen, token);
+    result = emtr::solve(*problem, token).release();
+  });
+  return result;
 }
+
+/// A cloud whose preprocessed form the user keeps, unless `slot` is null. Fills an empty slot with
+/// what a run has preprocessed, also when the run has failed.
+class CachedCloud {
+ public:
+  CachedCloud(const emtr_cloud* cloud, emtr_preprocessed** slot, const char* name) : slot_(slot) {
+    if (slot && *slot)
+      input.preprocessed = (*slot)->cloud;
+    else
+      input.cloud = &required(cloud, name);
+  }
+  ~CachedCloud() {
+    if (!slot_ || *slot_ || !input.preprocessed) return;
+    fresh_->cloud = input.preprocessed;
+    *slot_ = fresh_.release();
+  }
+  CachedCloud(const CachedCloud&) = delete;
+  CachedCloud& operator=(const CachedCloud&) = delete;
+
+  InputCloud input;
+
+ private:
+  emtr_preprocessed** const slot_;
+  std::unique_ptr<emtr_preprocessed> fresh_ = std::make_unique<emtr_preprocessed>();
+};
 
 }  // namespace
 
@@ -42,41 +80,31 @@ emtr_status emtr_register(const emtr_cloud* source, const emtr_cloud* target,
                           emtr_result** result) {
   return guarded([&] {
     required(result, "result") = nullptr;
-    required(source, "source");
-    required(target, "target");
-    const emtr::Settings chosen = settings_or_preset(settings);
-    *result = run(chosen, progress, user, [&] {
-      return emtr::normalize(emtr::kept(*source, chosen), emtr::kept(*target, chosen),
-                             emtr::thread_count(chosen));
-    });
+    InputCloud from{&required(source, "source"), nullptr}, to{&required(target, "target"), nullptr};
+    *result = run(from, to, settings, progress, user);
   });
 }
 
-emtr_status emtr_register_preprocessed(const emtr_preprocessed* source, const emtr_preprocessed* target,
-                                   const emtr_settings* settings, emtr_progress_fn progress,
-                                   void* user, emtr_result** result) {
+emtr_status emtr_register_preprocessed(const emtr_preprocessed* source,
+                                       const emtr_preprocessed* target,
+                                       const emtr_settings* settings, emtr_progress_fn progress,
+                                       void* user, emtr_result** result) {
   return guarded([&] {
     required(result, "result") = nullptr;
-    required(source, "source");
-    required(target, "target");
-    *result = run(settings_or_preset(settings), progress, user,
-                  [&] { return emtr::normalize(source->cloud, target->cloud); });
+    InputCloud from{nullptr, required(source, "source").cloud},
+        to{nullptr, required(target, "target").cloud};
+    *result = run(from, to, settings, progress, user);
   });
 }
 
 emtr_status emtr_register_cached(const emtr_cloud* source, emtr_preprocessed** cached_source,
-                               const emtr_cloud* target, emtr_preprocessed** cached_target,
-                               const emtr_settings* settings, emtr_progress_fn progress, void* user,
-                               emtr_result** result) {
+                                 const emtr_cloud* target, emtr_preprocessed** cached_target,
+                                 const emtr_settings* settings, emtr_progress_fn progress,
+                                 void* user, emtr_result** result) {
   return guarded([&] {
     required(result, "result") = nullptr;
-    if (!cached_source || !*cached_source) required(source, "source");
-    if (!cached_target || !*cached_target) required(target, "target");
-    const emtr::Settings chosen = settings_or_preset(settings);
-    *result = run(chosen, progress, user, [&] {
-      auto from = preprocessed(source, cached_source, "source", chosen);
-      return emtr::normalize(std::move(from), preprocessed(target, cached_target, "target", chosen));
-    });
+    CachedCloud from(source, cached_source, "source"), to(target, cached_target, "target");
+    *result = run(from.input, to.input, settings, progress, user);
   });
 }
 

@@ -9,12 +9,13 @@ using emtr::required;
 
 extern "C" {
 
-emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target, const double T[16],
-                           int32_t threads, double* of_source, double* of_target) {
+emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
+                           const double transformation[16], int32_t threads, double* of_source,
+                           double* of_target) {
   return emtr::guarded([&] {
-    const emtr::Rigid pose = T ? emtr::given_rigid(T) : emtr::Rigid();
+    const emtr::Rigid pose = transformation ? emtr::checked_pose(transformation) : emtr::Rigid();
     emtr::residuals(required(source, "source"), required(target, "target"), pose,
-                    emtr::given_threads(threads), of_source, of_target);
+                    emtr::checked_threads(threads), of_source, of_target);
   });
 }
 

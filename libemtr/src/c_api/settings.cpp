@@ -8,8 +8,8 @@
 #include "c_api/guarded.h"
 
 using emtr::checked;
+using emtr::copy_info;
 using emtr::guarded;
-using emtr::hand_out;
 using emtr::required;
 
 extern "C" {
@@ -31,11 +31,7 @@ size_t emtr_setting_count(void) { return emtr::setting_count(); }
 
 emtr_status emtr_setting_describe(size_t index, emtr_setting_info* info, size_t size) {
   return guarded([&] {
-    if (index >= emtr::setting_count())
-      throw emtr::Error(EMTR_ERROR_ARGUMENT, "index is " + std::to_string(index) +
-                                                 ", expected below " +
-                                                 std::to_string(emtr::setting_count()));
-    hand_out(emtr::setting(index).info, info, size);
+    copy_info(emtr::setting(emtr::checked_index(index, emtr::setting_count())).info, info, size);
   });
 }
 
@@ -45,8 +41,8 @@ emtr_status emtr_setting_set(emtr_settings* settings, const char* name, double v
 
 emtr_status emtr_setting_get(const emtr_settings* settings, const char* name, double* value) {
   return guarded([&] {
-    required(value, "value") = emtr::get(checked(const_cast<emtr_settings*>(settings)),
-                                         emtr::find_setting(&required(name, "name")));
+    required(value, "value") =
+        emtr::get(checked(settings), emtr::find_setting(&required(name, "name")));
   });
 }
 

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "util/enum_number.h"
-#include "geometry/euler.h"
-#include "util/thread_team.h"
 #include "c_api/arguments.h"
 #include "c_api/guarded.h"
 #include "c_api/handles.h"
+#include "geometry/euler.h"
+#include "util/enum_number.h"
+#include "util/thread_team.h"
 
 using emtr::checked;
 using emtr::guarded;
@@ -21,7 +21,7 @@ void require_near(const double* values, std::size_t count, const char* name) {
     throw emtr::Error(EMTR_ERROR_ARGUMENT, std::string(name) + ": not finite or beyond 1e6");
 }
 
-/// Scores n particles of `genes` numbers in parallel, on the problem's own count of threads.
+/// Evaluates n particles of `genes` numbers in parallel, on as many threads as the problem uses.
 template <class Score>
 void evaluate_all(const emtr_problem& problem, const double* particles, std::size_t n,
                   std::size_t genes, double* fitness, Score score) {
@@ -32,7 +32,7 @@ void evaluate_all(const emtr_problem& problem, const double* particles, std::siz
     if (!emtr::is_near(particles + genes * i, genes))
       throw emtr::Error(EMTR_ERROR_ARGUMENT,
                         "particles: row " + std::to_string(i) + ": not finite or beyond 1e6");
-  const int threads = emtr::thread_count(problem.settings);
+  const int threads = emtr::thread_count(problem.data->settings);
   std::vector<emtr::TaskAlpha::Scratch> scratch(static_cast<std::size_t>(threads));
   emtr::ThreadTeam::with(threads, [&](emtr::ThreadTeam& team) {
     team.parallel(n, [&](std::size_t i, std::size_t thread) {
@@ -54,9 +54,9 @@ emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
       throw emtr::Error(EMTR_ERROR_ARGUMENT, "stage must be EMTR_STAGE_SPARSE or EMTR_STAGE_DENSE");
     evaluate_all(p, particles, count, 6, fitness,
                  [&](const double* particle, emtr::TaskAlpha::Scratch& scratch) {
-                   return p.alpha->evaluate(stage, emtr::decode(particle), scratch);
+                   return p.data->alpha->evaluate(stage, emtr::decode(particle), scratch);
                  });
-    p.queries += count * p.alpha->queries(stage);
+    p.queries += count * p.data->alpha->queries(stage);
   });
 }
 
@@ -66,7 +66,7 @@ emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particl
     const emtr_problem& p = checked(problem);
     evaluate_all(p, particles, count, 3, fitness,
                  [&](const double* angles, emtr::TaskAlpha::Scratch&) {
-                   return p.beta->evaluate(emtr::euler_to_rotation(angles));
+                   return p.data->beta->evaluate(emtr::euler_to_rotation(angles));
                  });
   });
 }
@@ -76,25 +76,26 @@ emtr_status emtr_complement(emtr_problem* problem, const double angles[3], doubl
     emtr_problem& p = checked(problem);
     require_near(&required(angles, "angles"), 3, "angles");
     Eigen::Vector3d::Map(&required(translation, "translation")) =
-        p.complement->translation(emtr::euler_to_rotation(angles), p.prior.get());
-    p.queries += p.complement->queries();
+        p.data->complement->translation(emtr::euler_to_rotation(angles), p.data->prior.get());
+    p.queries += p.data->complement->queries();
   });
 }
 
 emtr_status emtr_particle_to_transformation(const emtr_problem* problem, const double particle[6],
-                                            double T[16]) {
+                                            double transformation[16]) {
   return guarded([&] {
     require_near(&required(particle, "particle"), 6, "particle");
-    const emtr::Rigid pose = checked(problem).normalization.to_user(emtr::decode(particle));
-    emtr::to_matrix(pose, &required(T, "transformation"));
+    const emtr::Rigid pose =
+        checked(problem).data->pair.normalization.to_user(emtr::decode(particle));
+    emtr::to_matrix(pose, &required(transformation, "transformation"));
   });
 }
 
-emtr_status emtr_transformation_to_particle(const emtr_problem* problem, const double T[16],
-                                            double particle[6]) {
+emtr_status emtr_transformation_to_particle(const emtr_problem* problem,
+                                            const double transformation[16], double particle[6]) {
   return guarded([&] {
-    const emtr::Rigid pose =
-        checked(problem).normalization.to_normalized(emtr::given_rigid(&required(T, "transformation")));
+    const emtr::Rigid pose = checked(problem).data->pair.normalization.to_normalized(
+        emtr::checked_pose(&required(transformation, "transformation")));
     emtr::encode(pose, &required(particle, "particle"));
   });
 }

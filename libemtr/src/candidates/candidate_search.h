@@ -2,33 +2,34 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "candidates/candidate_set.h"
+#include "candidates/surface_pair.h"
 #include "preprocessing/normalization.h"
 #include "seeds/seeds.h"
 #include "settings/settings.h"
-#include "candidates/candidate_set.h"
-#include "candidates/surface_pair.h"
 
 namespace emtr {
 
-/// Gathers candidates from all who have some, and more of them when those do not convince.
+/// Gathers candidates from all who have some, and searches for more when those do not convince.
 class CandidateSearch {
  public:
-  /// All arguments must outlive it. `prior`: what all candidates are to keep to, or null.
+  /// All arguments must outlive it. `prior`: admits all candidates, or null.
   CandidateSearch(const NormalizedPair& pair, const SurfacePair& surfaces, const Settings& settings,
                   const Kernels& kernels, const Prior* prior);
 
-  /// The seeds with the best quick score, no copies; see admissible().
+  /// Returns the seeds with the best quick scores, without duplicates; see admissible().
   std::vector<Rigid> shortlist(const std::vector<Seed>& seeds) const;
 
-  /// Takes in poses as they are, and the best of `many`.
+  /// Adds poses as they are, and the best of `many`.
   void add(const std::vector<Rigid>& poses, const std::vector<Rigid>& many);
 
-  /// Searches again with more feature points, and lets free space have its say.
+  /// Searches again with more keypoints, and ranks by free space too.
   void run_fallback_search();
   bool used_fallback_search() const { return oriented_ != nullptr; }
 
-  const std::vector<Candidate>& ranked() const { return candidate_set_->ranked(); }
+  const std::vector<Candidate>& ranked() const { return candidates_->ranked(); }
 
  private:
   Viewpoints viewpoints(const Surface& surface, const std::optional<Viewpoint>& given) const;
@@ -39,8 +40,8 @@ class CandidateSearch {
   const Kernels& kernels_;
   const Prior* prior_;
   const int threads_;
-  std::unique_ptr<SurfacePair> oriented_;  ///< with viewpoints, after an fallback search
-  std::unique_ptr<CandidateSet> candidate_set_;
+  std::unique_ptr<SurfacePair> oriented_;  ///< with viewpoints, after a fallback search
+  std::unique_ptr<CandidateSet> candidates_;
 };
 
 }  // namespace emtr

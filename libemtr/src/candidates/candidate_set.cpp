@@ -7,8 +7,8 @@
 
 namespace emtr {
 
-std::vector<Rigid> CandidateSet::shortlist(const std::vector<Rigid>& poses, std::size_t most,
-                                   ThreadTeam& team) const {
+std::vector<Rigid> CandidateSet::shortlist(const std::vector<Rigid>& poses,
+                                           std::size_t maximum_count, ThreadTeam& team) const {
   std::vector<double> quick(poses.size());
   std::vector<Ranking::Scratch> scratch(team.size());
   team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
@@ -21,40 +21,40 @@ std::vector<Rigid> CandidateSet::shortlist(const std::vector<Rigid>& poses, std:
   std::vector<Rigid> sorted;
   sorted.reserve(poses.size());
   for (const std::size_t i : order) sorted.push_back(poses[i]);
-  return distinct(sorted, kDuplicatePose, most);
+  return suppress_non_maxima(sorted, kDuplicatePose, maximum_count);
 }
 
 void CandidateSet::add(const std::vector<Rigid>& poses, ThreadTeam& team) {
-  std::vector<std::optional<Candidate>> fresh(poses.size());
+  std::vector<std::optional<Candidate>> candidates(poses.size());
   std::vector<Scratch> scratch(team.size());
   try {
     team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-      fresh[i] = judged(poses[i], scratch[thread]);
+      candidates[i] = evaluate(poses[i], scratch[thread]);
     });
   } catch (const Cancelled&) {
-    take_in(fresh);
+    merge(candidates);
     throw;
   }
-  take_in(fresh);
+  merge(candidates);
 }
 
-void CandidateSet::take_in(const std::vector<std::optional<Candidate>>& fresh) {
-  for (const auto& candidate : fresh)
+void CandidateSet::merge(const std::vector<std::optional<Candidate>>& candidates) {
+  for (const auto& candidate : candidates)
     if (candidate) ranked_.push_back(*candidate);
   std::stable_sort(ranked_.begin(), ranked_.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-  ranked_ = distinct(ranked_, kDuplicatePose, ranked_.size());
+  ranked_ = suppress_non_maxima(ranked_, kDuplicatePose, ranked_.size());
 }
 
-Candidate CandidateSet::judged(const Rigid& start, Scratch& scratch) const {
+Candidate CandidateSet::evaluate(const Rigid& start, Scratch& scratch) const {
   const Ranking& ranking = surfaces_.ranking();
   const auto quick = [&](const Rigid& pose) {
     return ranking.quick(pose, SurfacePair::kQuickStep, scratch.ranking).score;
   };
-  Rigid pose = surfaces_.local_refinement()(start, prior_, scratch.local_refinement).pose;
-  if (quick(pose) < quick(start)) pose = start;  // polish can run off along a plane
-  const Ranking::Value v = ranking.evaluate(pose, scratch.ranking);
-  return {pose, v.fit, v.violation, v.score};
+  Rigid pose = surfaces_.local_refinement()(start, prior_, scratch.refinement).pose;
+  if (quick(pose) < quick(start)) pose = start;  // refinement can run off along a plane
+  const Ranking::Value value = ranking.evaluate(pose, scratch.ranking);
+  return {pose, value.fit, value.violation, value.score};
 }
 
 }  // namespace emtr

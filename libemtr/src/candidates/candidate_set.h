@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "candidates/surface_pair.h"
 #include "geometry/rigid.h"
 #include "util/thread_team.h"
-#include "candidates/surface_pair.h"
 
 namespace emtr {
 
@@ -14,22 +14,27 @@ struct Candidate {
   Rigid pose;  ///< normalized frame
   SurfaceFitValue fit;
   double violation = 0;  ///< of free space, 0 when nothing is known of it
-  double score = 0;      ///< chf - 2 violations, higher is better
+  double score = 0;      ///< see Ranking::Value; higher is better
 };
 
 inline const Rigid& pose_of(const Candidate& candidate) { return candidate.pose; }
 
-/// The poses from all sources (seeds, the swarm, fallback search, the caller) in one ranking: a little
-/// polish each, then the fine score. Distinct ones, best first.
+/// Ranks the poses from all sources (seeds, the swarm, fallback search, the user): a short local
+/// refinement of each, then the fine score. No two of them are the same pose; the best is first.
 class CandidateSet {
  public:
-  /// Both must outlive the pool. With a prior all poses are to keep to it, and do so when polished.
-  CandidateSet(const SurfacePair& surfaces, const Prior* prior) : surfaces_(surfaces), prior_(prior) {}
+  /// Both must outlive the set. With a prior all poses added are to be admissible; refinement then
+  /// keeps them so.
+  CandidateSet(const SurfacePair& surfaces, const Prior* prior)
+      : surfaces_(surfaces), prior_(prior) {}
 
-  /// The `most` poses with the best quick score that are no copies of each other, best first.
-  std::vector<Rigid> shortlist(const std::vector<Rigid>& poses, std::size_t most, ThreadTeam& team) const;
+  /// Returns the poses with the best quick scores, at most `maximum_count` and no two of them
+  /// duplicates, best first.
+  std::vector<Rigid> shortlist(const std::vector<Rigid>& poses, std::size_t maximum_count,
+                               ThreadTeam& team) const;
 
-  /// Polishes and scores them, and takes them in; when stopped, those that were done by then.
+  /// Refines and scores the poses and ranks them among the others; when cancelled, those that were
+  /// done by then.
   void add(const std::vector<Rigid>& poses, ThreadTeam& team);
 
   const std::vector<Candidate>& ranked() const { return ranked_; }
@@ -37,10 +42,10 @@ class CandidateSet {
  private:
   struct Scratch {
     Ranking::Scratch ranking;
-    LocalRefinement::Scratch local_refinement;
+    LocalRefinement::Scratch refinement;
   };
-  void take_in(const std::vector<std::optional<Candidate>>& fresh);
-  Candidate judged(const Rigid& start, Scratch& scratch) const;
+  Candidate evaluate(const Rigid& start, Scratch& scratch) const;
+  void merge(const std::vector<std::optional<Candidate>>& candidates);
 
   const SurfacePair& surfaces_;
   const Prior* prior_;

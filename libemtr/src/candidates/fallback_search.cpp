@@ -1,7 +1,7 @@
 #include "candidates/fallback_search.h"
 
-#include "features/fpfh.h"
 #include "correspondences/matching.h"
+#include "features/fpfh.h"
 #include "preprocessing/downsampling.h"
 #include "seeds/seeds.h"
 
@@ -17,40 +17,44 @@ Features describe_towards(const Cloud& cloud, const Cloud& normals, bool trust,
   definition.trust_normals = trust;
   definition.backend = FeatureBackend::Simd;
   if (!viewpoints.candidates.empty())
-    for (std::size_t a = 0; a < 3; ++a)
-      definition.viewpoint[a] = static_cast<float>(viewpoints.candidates.front().at[a]);
+    definition.viewpoint = viewpoints.candidates.front().in_float();
   return describe(cloud, definition, kernels, threads, normals);
 }
 
 }  // namespace
 
-std::vector<Rigid> fallback_seeds_of(const NormalizedPair& pair, const Viewpoints& of_source,
-                                   const Viewpoints& of_target, const Settings& settings,
-                                   const Kernels& kernels, int threads) {
+std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
+                                       const Viewpoints& source_viewpoints,
+                                       const Viewpoints& target_viewpoints,
+                                       const Settings& settings, const Kernels& kernels,
+                                       int threads) {
   Settings many = settings;
   many.dense_points = settings.fallback_points;
   const DownsampledClouds d = downsample_dense(pair, many);
   const bool trust = trust_normals(pair);
-  const Features source = describe_towards(d.source_dense, d.source_normals, trust, of_source,
-                                           d.leaf_dense, settings, kernels, threads);
-  const Features target = describe_towards(d.target_dense, d.target_normals, trust, of_target,
-                                           d.leaf_dense, settings, kernels, threads);
+  const Features source =
+      describe_towards(d.source_dense, d.source_normals, trust, source_viewpoints, d.leaf_dense,
+                       settings, kernels, threads);
+  const Features target =
+      describe_towards(d.target_dense, d.target_normals, trust, target_viewpoints, d.leaf_dense,
+                       settings, kernels, threads);
 
   std::vector<Rigid> out;
-  const auto search = [&](const Features& turned) {
+  const auto search = [&](const Features& source_features) {
     const auto matches = match_distinctive(
-        turned, target, kNearest, static_cast<std::size_t>(settings.fallback_correspondences),
-        kernels, threads);
+        source_features, target, kNearest,
+        static_cast<std::size_t>(settings.fallback_correspondences), kernels, threads);
     const double threshold = settings.seed_threshold * d.leaf_dense;
     const Consistency consistency(d.source_dense, d.target_dense, matches, threshold, kernels,
                                   threads);
-    for (const Seed& seed : find_seeds(
-             consistency, threshold, static_cast<std::size_t>(settings.fallback_seeds), threads))
+    for (const Seed& seed : find_seeds(consistency, threshold,
+                                       static_cast<std::size_t>(settings.fallback_seeds), threads))
       out.push_back(seed.pose);
   };
   search(source);
-  const bool sure = trust || (of_source.candidates.size() == 1 && of_target.candidates.size() == 1);
-  if (!sure) search(mirrored(source));
+  const bool both_given =
+      source_viewpoints.candidates.size() == 1 && target_viewpoints.candidates.size() == 1;
+  if (!trust && !both_given) search(mirrored(source));
   return out;
 }
 

@@ -13,24 +13,22 @@ std::unique_ptr<Neighbors> neighbors(const Surface& surface, const Kernels& kern
 
 }  // namespace
 
-SurfacePair::SurfacePair(Surface source, Surface target, const Viewpoints& of_source,
-                   const Viewpoints& of_target, const Kernels& kernels)
-    : source_(std::move(source)),
-      target_(std::move(target)),
-      ranking_(source_, target_, of_source, of_target, kernels),
-      near_target_(neighbors(target_, kernels)),
-      local_refinement_(source_, target_, nullptr, near_target_.get(), coarse_refinement(), kernels) {
-  ranking_.fit().prepare(kQuickStep);
+SurfacePair::SurfacePair(const SharedSurface& source, const SharedSurface& target,
+                         const Viewpoints& source_viewpoints, const Viewpoints& target_viewpoints,
+                         const Kernels& kernels)
+    : source_(source),
+      target_(target),
+      ranking_(source_, target_, source_viewpoints, target_viewpoints, kernels),
+      near_target_(neighbors(*target_, kernels)),
+      local_refinement_(source_, target_, nullptr, near_target_.get(), coarse_refinement(),
+                        kernels) {
+  ranking_.fit().add_subset(kQuickStep);
 }
 
 Surface surface(const Cloud& cloud, const Features& features, double leaf) {
   Surface out{cloud, {}, leaf};
   out.normals.resize(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    out.normals.x[i] = features.normals[3 * i];
-    out.normals.y[i] = features.normals[3 * i + 1];
-    out.normals.z[i] = features.normals[3 * i + 2];
-  }
+  for (std::size_t i = 0; i < cloud.size(); ++i) out.normals.set(i, &features.normals[3 * i]);
   return out;
 }
 

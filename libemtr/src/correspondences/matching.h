@@ -3,17 +3,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "correspondences/correspondence.h"
 #include "features/fpfh.h"
+#include "preprocessing/keypoints.h"
 
 namespace emtr {
 
-/// Rows of a source point and a target point held to be the same place.
-struct Correspondence {
-  std::int32_t source, target;
-};
-
-/// Descriptors of the points of a cloud, row-major (count, dimension), someone else's memory. A
-/// point whose first number is NaN has none.
+/// A view of the descriptors of a cloud's points, row-major (count, dimension). A point whose first
+/// number is NaN has none.
 struct DescriptorRows {
   const float* values;
   std::size_t count, dimension;
@@ -22,31 +19,35 @@ struct DescriptorRows {
       : values(numbers.data()), count(numbers.size() / size), dimension(size) {}
   DescriptorRows(const Features& features)  // NOLINT: the descriptors of the features
       : DescriptorRows(features.descriptors, kFeatureSize) {}
+  DescriptorRows(const Keypoints& keypoints)  // NOLINT: the descriptors of the keypoints
+      : DescriptorRows(keypoints.descriptors, keypoints.dimension) {}
 
   const float* row(std::size_t i) const { return values + i * dimension; }
   bool valid(std::size_t i) const { return *row(i) == *row(i); }
 };
 
-/// Pairs of which each point is among the k nearest of the other by descriptor (k = 1: mutual
-/// nearest neighbors; both of one dimension), no ratio test; of points at one distance the
-/// smallest row is the nearer. The `most` pairs with the smallest distance between descriptors, in
-/// that order; `found`, unless null, gets how many there were.
+/// Returns the pairs whose points are each among the k nearest of the other by descriptor (k = 1:
+/// mutual nearest neighbors), without a ratio test: the `max_count` pairs with the smallest distance
+/// between descriptors, in that order. Both sides have one dimension. Among points at one distance
+/// the one with the smallest row is the nearest. Writes the number of all such pairs to `found`,
+/// unless it is null.
 std::vector<Correspondence> match_mutual(const DescriptorRows& source, const DescriptorRows& target,
-                                         int k, std::size_t most, const Kernels& kernels,
+                                         int k, std::size_t max_count, const Kernels& kernels,
                                          int threads, std::size_t* found = nullptr);
 
-/// The same pairs, those first that stand out: by the distance between the descriptors over that to
-/// the tenth nearest, of both points. On planes and the like, of which a scan is full, descriptors
-/// are near to many; ordered by distance alone such pairs would leave no place for others.
+/// Returns the same pairs with the most distinctive first: those with the smallest ratio of the
+/// distance between the descriptors to the distance to the tenth nearest, for both points. A scan is
+/// full of planes and the like, whose descriptors are close to many others; such pairs, ordered by
+/// distance alone, would leave no place for the rest.
 std::vector<Correspondence> match_distinctive(const DescriptorRows& source,
-                                           const DescriptorRows& target, int k, std::size_t most,
+                                           const DescriptorRows& target, int k, std::size_t max_count,
                                            const Kernels& kernels, int threads);
 
-/// Mutual nearest neighbors.
+/// Returns the mutual nearest neighbors.
 inline std::vector<Correspondence> match(const DescriptorRows& source, const DescriptorRows& target,
-                                         std::size_t most, const Kernels& kernels, int threads,
+                                         std::size_t max_count, const Kernels& kernels, int threads,
                                          std::size_t* found = nullptr) {
-  return match_mutual(source, target, 1, most, kernels, threads, found);
+  return match_mutual(source, target, 1, max_count, kernels, threads, found);
 }
 
 }  // namespace emtr

@@ -8,7 +8,7 @@ namespace emtr {
 
 Tims form_tims(const Cloud& source, const Cloud& target,
                const std::vector<Correspondence>& correspondences, double threshold) {
-  // Kept a little beyond the threshold, so that rounding cannot drop what task beta would count.
+  // Prunes a little beyond the threshold, so that rounding cannot drop what task beta would count.
   const double limit = threshold * (1 + 1e-5) + 1e-6;
   struct Difference {
     float x, y, z;
@@ -18,20 +18,9 @@ Tims form_tims(const Cloud& source, const Cloud& target,
     const auto a = static_cast<std::size_t>(from), b = static_cast<std::size_t>(to);
     return Difference{cloud.x[b] - cloud.x[a], cloud.y[b] - cloud.y[a], cloud.z[b] - cloud.z[a]};
   };
-  const auto append = [](Cloud& cloud, const Difference& d) {
-    cloud.x.push_back(d.x);
-    cloud.y.push_back(d.y);
-    cloud.z.push_back(d.z);
-  };
-  const auto point = [](const Cloud& cloud, std::int32_t row) {
-    const auto i = static_cast<std::size_t>(row);
-    return Difference{cloud.x[i], cloud.y[i], cloud.z[i]};
-  };
   Tims tims;
-  for (const Correspondence& c : correspondences) {
-    append(tims.ends_source, point(source, c.source));
-    append(tims.ends_target, point(target, c.target));
-  }
+  tims.ends_source = source.select(rows_of(correspondences, &Correspondence::source));
+  tims.ends_target = target.select(rows_of(correspondences, &Correspondence::target));
   for (std::size_t j = 0; j < correspondences.size(); ++j) {
     check_cancelled();
     for (std::size_t k = j + 1; k < correspondences.size(); ++k) {
@@ -41,8 +30,8 @@ Tims form_tims(const Cloud& source, const Cloud& target,
         ++tims.pruned;
         continue;
       }
-      append(tims.source, p);
-      append(tims.target, q);
+      tims.source.append(p.x, p.y, p.z);
+      tims.target.append(q.x, q.y, q.z);
     }
   }
   return tims;

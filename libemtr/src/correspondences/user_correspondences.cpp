@@ -11,15 +11,15 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kLeast = 3;  // that a pose can be made of
+constexpr std::size_t kMinimumCount = 3;  // that determine a pose
 
-/// One side of the matches.
+/// One side of the correspondences.
 class Side {
  public:
   Side(const PreprocessedCloud& cloud, double scale, const char* name)
       : cloud_(cloud), factor_(cloud.radius / scale), name_(name) {}
 
-  /// Throws Error on a row that there is not.
+  /// Throws Error when the row does not exist or is not finite.
   void require(std::int32_t row, std::size_t pair) const {
     float p[3];
     const auto refuse = [&](const std::string& what) {
@@ -31,20 +31,20 @@ class Side {
     if (!cloud_.find(static_cast<std::size_t>(row), p)) refuse(" is not finite");
   }
 
-  /// The points that are named.
-  FeatureCloud points(const std::vector<Correspondence>& matches,
-                      std::int32_t Correspondence::*side) const {
-    std::set<std::int32_t> named;
-    for (const Correspondence& match : matches) named.insert(match.*side);
-    FeatureCloud out;
-    out.rows.assign(named.begin(), named.end());
-    out.points.resize(named.size());
-    for (std::size_t i = 0; i < named.size(); ++i) {
+  /// Returns the points that the correspondences name.
+  Keypoints named_points(const std::vector<Correspondence>& correspondences,
+                         std::int32_t Correspondence::*side) const {
+    Keypoints out;
+    out.rows = rows_of(correspondences, side);
+    std::sort(out.rows.begin(), out.rows.end());
+    out.rows.erase(std::unique(out.rows.begin(), out.rows.end()), out.rows.end());
+    out.points.resize(out.rows.size());
+    for (std::size_t i = 0; i < out.rows.size(); ++i) {
       float p[3];
       cloud_.find(static_cast<std::size_t>(out.rows[i]), p);
       out.points.set(i, p);
     }
-    out.points = scaled(out.points, factor_);
+    out.points = scale_cloud(out.points, factor_);
     return out;
   }
 
@@ -54,14 +54,14 @@ class Side {
   std::string name_;
 };
 
-std::int32_t place(const std::vector<std::int32_t>& rows, std::int32_t row) {
+std::int32_t place_of(const std::vector<std::int32_t>& rows, std::int32_t row) {
   return static_cast<std::int32_t>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
 }
 
 }  // namespace
 
 UserCorrespondences load_user_correspondences(const NormalizedPair& pair, const std::int32_t* rows,
-                             std::size_t count, std::size_t most) {
+                                              std::size_t count, std::size_t max_count) {
   const Side source(*pair.preprocessed_source, pair.normalization.scale, "source"),
       target(*pair.preprocessed_target, pair.normalization.scale, "target");
   std::set<std::pair<std::int32_t, std::int32_t>> known;
@@ -73,24 +73,25 @@ UserCorrespondences load_user_correspondences(const NormalizedPair& pair, const 
     target.require(match.target, i);
     if (known.emplace(match.source, match.target).second) distinct.push_back(match);
   }
-  if (distinct.size() < kLeast)
+  if (distinct.size() < kMinimumCount)
     throw Error(EMTR_ERROR_ARGUMENT, "correspondences: " + std::to_string(distinct.size()) +
                                          " different ones, expected at least " +
-                                         std::to_string(kLeast));
+                                         std::to_string(kMinimumCount));
   UserCorrespondences out;
-  out.correspondences = spread(distinct, most);
-  out.clouds.source = source.points(out.correspondences, &Correspondence::source);
-  out.clouds.target = target.points(out.correspondences, &Correspondence::target);
+  out.correspondences = select_evenly(distinct, max_count);
+  out.keypoints.source = source.named_points(out.correspondences, &Correspondence::source);
+  out.keypoints.target = target.named_points(out.correspondences, &Correspondence::target);
   for (Correspondence& match : out.correspondences)
-    match = {place(out.clouds.source.rows, match.source),
-             place(out.clouds.target.rows, match.target)};
+    match = {place_of(out.keypoints.source.rows, match.source),
+             place_of(out.keypoints.target.rows, match.target)};
   return out;
 }
 
-std::vector<Correspondence> spread(const std::vector<Correspondence>& all, std::size_t most) {
-  if (all.size() <= most) return all;
+std::vector<Correspondence> select_evenly(const std::vector<Correspondence>& all,
+                                          std::size_t max_count) {
+  if (all.size() <= max_count) return all;
   std::vector<Correspondence> out;
-  for (std::size_t k = 0; k < most; ++k) out.push_back(all[k * all.size() / most]);
+  for (std::size_t k = 0; k < max_count; ++k) out.push_back(all[k * all.size() / max_count]);
   return out;
 }
 

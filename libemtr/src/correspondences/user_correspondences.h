@@ -1,22 +1,28 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "correspondences/correspondence.h"
 #include "correspondences/user_keypoints.h"
 
 namespace emtr {
 
-/// Matches that the caller handed in, and the points that they are of.
+/// Correspondences that the user provided, and the points that they name.
 struct UserCorrespondences {
-  FeatureClouds clouds;
-  std::vector<Correspondence> correspondences;  ///< rows of `clouds`, in the caller's order
+  KeypointPair keypoints;                       ///< without descriptors
+  std::vector<Correspondence> correspondences;  ///< rows of `keypoints`, in the user's order
 };
 
-/// Reads `count` pairs (row of the source, row of the target). One that stands there twice is taken
-/// once; of more than `most` so many are taken, evenly spread over the list. Throws Error, naming
-/// the pair, on rows that do not exist or were dropped, and when fewer than 3 are left.
+/// Reads `count` pairs (row of the source, row of the target). Takes each pair once and, of more
+/// than `max_count`, as many evenly selected ones. Throws Error, naming the pair, on rows that do
+/// not exist or were dropped, and when fewer than 3 pairs are left.
 UserCorrespondences load_user_correspondences(const NormalizedPair& pair, const std::int32_t* rows,
-                             std::size_t count, std::size_t most);
+                                              std::size_t count, std::size_t max_count);
 
-/// `most` of them or all, evenly spread, in their order.
-std::vector<Correspondence> spread(const std::vector<Correspondence>& all, std::size_t most);
+/// Returns `max_count` of them, evenly selected and in their order, or all if there are no more.
+std::vector<Correspondence> select_evenly(const std::vector<Correspondence>& all,
+                                          std::size_t max_count);
 
 }  // namespace emtr

@@ -1,27 +1,26 @@
 #include "correspondences/user_keypoints.h"
 
 #include <string>
-#include <utility>
 
 #include "util/error.h"
 
 namespace emtr {
 namespace {
 
-FeatureCloud feature_cloud(const PreprocessedCloud& cloud, double scale, double leaf) {
+Keypoints normalized_keypoints(const PreprocessedCloud& cloud, double scale, double leaf) {
   const double factor = cloud.radius / scale;
-  Keypoints from = cloud.described.rows.size() > kMostFeatures
-                             ? thinned(cloud.described, static_cast<float>(leaf / factor))
-                             : cloud.described;
-  return {scaled(from.points, factor), from.dimension, std::move(from.descriptors),
-          std::move(from.rows)};
+  Keypoints out = cloud.keypoints.rows.size() > kMaximumKeypoints
+                      ? downsample(cloud.keypoints, static_cast<float>(leaf / factor))
+                      : cloud.keypoints;
+  out.points = scale_cloud(out.points, factor);
+  return out;
 }
 
 }  // namespace
 
-bool have_features(const NormalizedPair& pair) {
-  const Keypoints &source = pair.preprocessed_source->described,
-                        &target = pair.preprocessed_target->described;
+bool has_user_keypoints(const NormalizedPair& pair) {
+  const Keypoints &source = pair.preprocessed_source->keypoints,
+                  &target = pair.preprocessed_target->keypoints;
   if (!source != !target)
     throw Error(EMTR_ERROR_ARGUMENT, std::string("features are given for the ") +
                                          (source ? "source" : "target") +
@@ -34,9 +33,10 @@ bool have_features(const NormalizedPair& pair) {
   return static_cast<bool>(source);
 }
 
-FeatureClouds user_keypoints(const NormalizedPair& pair, double leaf) {
-  return {feature_cloud(*pair.preprocessed_source, pair.normalization.scale, leaf),
-          feature_cloud(*pair.preprocessed_target, pair.normalization.scale, leaf)};
+KeypointPair load_user_keypoints(const NormalizedPair& pair, double leaf) {
+  const double scale = pair.normalization.scale;
+  return {normalized_keypoints(*pair.preprocessed_source, scale, leaf),
+          normalized_keypoints(*pair.preprocessed_target, scale, leaf)};
 }
 
 }  // namespace emtr

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "util/thread_team.h"
 #include "evolution/knowledge_transfer.h"
-#include "evolution/restarts.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
 
-/// Auto is for swarms that nothing but chance has placed.
-RotationSteps steps(const Settings& settings, const SearchSpace& space, bool seeded) {
+/// Chooses how rotations step; auto steps by vectors where no particle starts at a seed.
+RotationSteps rotation_steps(const Settings& settings, const SearchSpace& space, bool seeded) {
   const bool vectors = in_use(settings.rotation_vector_steps, !seeded) && space.has_euler_angles();
   return vectors ? RotationSteps::Vector : RotationSteps::Angles;
 }
@@ -19,17 +18,18 @@ RotationSteps steps(const Settings& settings, const SearchSpace& space, bool see
 class Engine {
  public:
   Engine(const TaskAlpha& alpha, const TaskBeta& beta, const KnowledgeComplement& complement,
-         const Settings& settings, const Prior* prior, bool seeded, std::size_t threads, ThreadTeam& team)
+         const Settings& settings, const Prior* prior, bool seeded, std::size_t threads,
+         ThreadTeam& team)
       : team_(team),
         alpha_(alpha),
         beta_(beta),
         settings_(settings),
         space_(settings.translation_bound, prior),
         transfer_(complement, space_, settings, in_use(settings.arc_transfer, !seeded)),
-        poses_(space_.pose_genes(), settings, Stream::Alpha, steps(settings, space_, seeded)),
+        poses_(space_.pose_genes(), settings, Stream::Alpha,
+               rotation_steps(settings, space_, seeded)),
         rotations_(space_.rotation_genes(), settings, Stream::Beta,
-                   steps(settings, space_, seeded)),
-        restarts_(seeded ? 0 : settings.restart_after, settings.restart_share),
+                   rotation_steps(settings, space_, seeded)),
         scratch_(threads),
         stage_(settings.sparse_to_dense ? EMTR_STAGE_SPARSE : EMTR_STAGE_DENSE) {}
 
@@ -49,17 +49,16 @@ class Engine {
         static_cast<int>(std::ceil(settings_.switch_fraction * settings_.iterations - 1e-9));
     try {
       for (int it = 0; it < settings_.iterations && !out_.stopped; ++it) {
-        if (stage_ == EMTR_STAGE_SPARSE && it == switch_at) become_dense();
+        if (stage_ == EMTR_STAGE_SPARSE && it == switch_at) switch_to_dense();
         evaluate();
         poses_.update_bests();
         beta_changed_ |= rotations_.update_bests();
         out_.history_alpha.push_back(poses_.gbest_fitness());
         out_.history_beta.push_back(rotations_.gbest_fitness());
         move(it);
-        restarts_.after(it, poses_, rotations_);
         out_.stopped = on_iteration(it + 1, poses_.gbest_fitness(), rotations_.gbest_fitness());
       }
-    } catch (const Cancelled&) {  // in the midst of an iteration: the pbests are those before it
+    } catch (const Cancelled&) {  // within an iteration: the pbests are those of the one before
       out_.stopped = true;
     }
     if (!out_.history_alpha.empty()) remember();
@@ -69,7 +68,7 @@ class Engine {
   }
 
  private:
-  /// The particles of both tasks at once.
+  /// Evaluates the particles of both tasks at once.
   void evaluate() {
     const std::size_t n = poses_.size();
     team_.parallel(n + rotations_.size(), [&](std::size_t i, std::size_t thread) {
@@ -77,38 +76,31 @@ class Engine {
         poses_.fitness()[i] =
             alpha_.evaluate(stage_, space_.pose(poses_.position(i)), scratch_[thread]);
       } else {
-        rotations_.fitness()[i - n] =
-            beta_.evaluate(space_.rotation(rotations_.position(i - n)));
+        rotations_.fitness()[i - n] = beta_.evaluate(space_.rotation(rotations_.position(i - n)));
       }
     });
     out_.queries_evaluation += n * alpha_.queries(stage_);
   }
 
   void remember() {
+    out_.best = poses_.gbest();
     for (std::size_t i = 0; i < poses_.size(); ++i) {
-      if (poses_.best_fitness(i) == HUGE_VAL) continue;  // drawn anew, and not evaluated since
-      if (i == poses_.gbest()) out_.best = out_.hypotheses.size();
       out_.hypotheses.push_back({space_.pose(poses_.best_position(i)), poses_.best_fitness(i)});
     }
-    for (const Restarts::Left& left : restarts_.left())
-      out_.hypotheses.push_back({space_.pose(left.position.data()), left.fitness});
   }
 
-  /// Lines 22-26: the pbests are scored anew; the positions are in this iteration's evaluation
-  /// anyway, and update_bests() then makes each pbest the better of the two.
-  void become_dense() {
+  /// Evaluates the pbests anew on the dense clouds (lines 22-26). This iteration evaluates the
+  /// positions too, and update_bests() then makes each pbest the better of the two.
+  void switch_to_dense() {
     const std::size_t n = poses_.size();
-    auto& left = restarts_.left();
     std::vector<double> fitness(n);
-    team_.parallel(n + left.size(), [&](std::size_t i, std::size_t thread) {
-      const double* genes = i < n ? poses_.best_position(i) : left[i - n].position.data();
-      (i < n ? fitness[i] : left[i - n].fitness) =
-          alpha_.evaluate(EMTR_STAGE_DENSE, space_.pose(genes), scratch_[thread]);
+    team_.parallel(n, [&](std::size_t i, std::size_t thread) {
+      fitness[i] =
+          alpha_.evaluate(EMTR_STAGE_DENSE, space_.pose(poses_.best_position(i)), scratch_[thread]);
     });
     stage_ = EMTR_STAGE_DENSE;
     poses_.set_best_fitness(fitness);
-    restarts_.objective_changed();
-    out_.queries_switch += (n + left.size()) * alpha_.queries(stage_);
+    out_.queries_switch += n * alpha_.queries(stage_);
   }
 
   void move(int it) {
@@ -116,7 +108,7 @@ class Engine {
     const double inertia =
         settings_.inertia_start + (settings_.inertia_end - settings_.inertia_start) * done;
     auto guides = KnowledgeTransfer::own(poses_, rotations_);
-    // Without TIMs task beta's fitness is flat, and its best is as good as any.
+    // Without TIMs task beta's fitness is constant, and its best means nothing.
     if (beta_.informative() && transfer_.due(it)) {
       guides = transfer_.exchange(it, poses_, rotations_, beta_changed_);
       beta_changed_ = false;
@@ -132,10 +124,9 @@ class Engine {
   const SearchSpace space_;
   KnowledgeTransfer transfer_;
   Swarm poses_, rotations_;
-  Restarts restarts_;
   std::vector<TaskAlpha::Scratch> scratch_;
   emtr_stage stage_;
-  bool beta_changed_ = false;  // since the complement was last worked out
+  bool beta_changed_ = false;  // since the complement was last computed
   Evolution out_;
 };
 

@@ -4,42 +4,43 @@
 #include <functional>
 #include <vector>
 
-#include "tasks/task_alpha.h"
-#include "tasks/task_beta.h"
 #include "evolution/knowledge_complement.h"
 #include "evolution/search_space.h"
 #include "evolution/swarm.h"
+#include "tasks/task_alpha.h"
+#include "tasks/task_beta.h"
 
 namespace emtr {
 
-/// A pose that some particle of task alpha remembers.
+/// A pose that a particle of task alpha remembers.
 struct Hypothesis {
   Rigid pose;      ///< normalized frame
   double fitness;  ///< task alpha's, at `stage` of the evolution
 };
 
-/// Poses that take the first particles' places in both swarms, as many as there are.
+/// Poses at which the first particles of both swarms start.
 struct Starts {
-  std::vector<Rigid> guesses;  ///< the caller's
-  std::vector<Rigid> seeds;    ///< the matches'
+  std::vector<Rigid> guesses;  ///< the user's
+  std::vector<Rigid> seeds;    ///< of the correspondences
 };
 
-/// What the evolution leaves behind.
+/// What the evolution has found.
 struct Evolution {
-  /// Pbests of alpha, also those from before a restart; empty if stopped before the first.
+  /// The pbests of task alpha; empty when the run was stopped before the first.
   std::vector<Hypothesis> hypotheses;
-  std::size_t best = 0;  ///< gbest among them
+  std::size_t best = 0;  ///< which of them is gbest
   emtr_stage stage = EMTR_STAGE_SPARSE;
   bool stopped = false;
   std::vector<double> history_alpha, history_beta;  ///< gbest's fitness after each iteration
   std::uint64_t queries_evaluation = 0, queries_switch = 0, queries_complement = 0;
 };
 
-/// Called after each iteration with the number done and both gbests' fitness; true stops.
+/// Called after each iteration with how many are done and the fitness of both gbests; returns true
+/// to stop.
 using OnIteration = std::function<bool(int, double, double)>;
 
-/// Algorithm 1: both swarms evolve together, work spread over the particles of both tasks.
-/// `prior`: what all particles are to keep to, or null.
+/// Evolves both swarms together (Algorithm 1), in parallel over the particles of both tasks. All
+/// particles keep to the prior, unless it is null.
 Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,
                  const KnowledgeComplement& complement, const Settings& settings,
                  const Starts& starts, const OnIteration& on_iteration, const Prior* prior);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "tasks/m_estimator.h"
 #include "geometry/transform.h"
+#include "tasks/m_estimator.h"
 #include "util/cancellation.h"
 
 namespace emtr {
@@ -20,7 +20,7 @@ KnowledgeComplement::KnowledgeComplement(const Cloud& source, const Cloud& targe
       kernels_(kernels) {}
 
 Eigen::Vector3d KnowledgeComplement::translation(const Eigen::Matrix3d& R,
-                                                  const Prior* prior) const {
+                                                 const Prior* prior) const {
   const std::size_t n = source_.size();
   std::vector<float> x(n), y(n), z(n), squared(n);
   std::vector<std::int32_t> index(n);
@@ -47,7 +47,7 @@ Eigen::Vector3d KnowledgeComplement::translation(const Eigen::Matrix3d& R,
       step[1] += w * (double{target_.y[j]} - double{y[i]});
       step[2] += w * (double{target_.z[j]} - double{z[i]});
     }
-    if (!(weights > 0)) continue;  // nothing near: no knowledge to add
+    if (!(weights > 0)) continue;  // nothing is near
     for (int a = 0; a < 3; ++a) pose.t[a] += step[a] / weights;
   }
   if (prior) pose = prior->project(pose);

@@ -10,21 +10,22 @@
 
 namespace emtr {
 
-/// Knowledge complement (Algorithm 2): the translation that task beta's rotation
-/// lacks. From t = 0, each iteration moves the rotated sparse source by the difference of the
-/// weighted centroids of its points and of their nearest target points; Tukey's weights, with a
-/// scale d that shrinks geometrically from complement_scale_start to complement_scale_end.
+/// Knowledge complement (Algorithm 2): finds the translation that task beta's rotation lacks. From
+/// t = 0, each iteration moves the rotated sparse source by the difference between the weighted
+/// centroids of its points and of their nearest target points. The weights are Tukey's, and their
+/// scale d shrinks geometrically from complement_scale_start to complement_scale_end.
 class KnowledgeComplement {
  public:
-  /// `neighbors`: of the sparse target, with radius complement_scale_start.
+  /// `neighbors` finds points of the sparse target within complement_scale_start.
   KnowledgeComplement(const Cloud& source, const Cloud& target,
                       std::unique_ptr<Neighbors> neighbors, const Settings& settings,
                       const Kernels& kernels);
 
-  /// With a prior from the admissible t nearest to 0, and to one that is admissible.
+  /// Returns the translation for a rotation. With a prior it starts at the admissible t nearest to
+  /// 0, and the result is admissible.
   Eigen::Vector3d translation(const Eigen::Matrix3d& R, const Prior* prior) const;
 
-  /// Look-ups of one call.
+  /// Returns how many nearest-neighbor queries one call makes.
   std::uint64_t queries() const;
 
  private:

@@ -3,42 +3,44 @@
 #include <array>
 #include <cstdint>
 
-#include "settings/settings.h"
 #include "evolution/knowledge_complement.h"
 #include "evolution/search_space.h"
 #include "evolution/swarm.h"
+#include "settings/settings.h"
 
 namespace emtr {
 
-/// Knowledge transfer: what guides each swarm in one iteration. The guide takes
-/// gbest's place in the velocities of that iteration only; pbest and gbest stay as they are.
+/// Knowledge transfer: mixes a guide for each swarm out of both gbests. The guide replaces gbest in
+/// the velocities of one iteration; pbest and gbest do not change.
 class KnowledgeTransfer {
  public:
-  /// `arc`: along the shortest arc between both rotations, instead of gene by gene.
+  /// `arc`: rotations are mixed along the shortest arc between them, instead of gene by gene.
   KnowledgeTransfer(const KnowledgeComplement& complement, const SearchSpace& space,
                     const Settings& settings, bool arc)
       : complement_(complement), space_(space), settings_(settings), arc_(arc) {}
 
-  struct Guides {  ///< as many of them as the swarm has genes
+  struct Guides {  ///< as many numbers as the swarm has genes
     std::array<double, 6> alpha;
     std::array<double, 3> beta;
   };
 
-  /// Without a transfer each gbest guides its own swarm.
+  /// Returns the guides of an iteration without a transfer: each gbest guides its own swarm.
   static Guides own(const Swarm& alpha, const Swarm& beta);
 
-  /// Whether there is a transfer in this iteration: once for both directions, with chance rmp.
+  /// Tells whether there is a transfer in this iteration, for both directions at once, with chance
+  /// rmp.
   bool due(int iteration) const;
 
-  /// gbest_alpha_new = la gbest_alpha + (1 - la) (gbest_beta completed); beta likewise from
-  /// alpha's rotation with lb. The complement is worked out again only when beta's gbest has
-  /// changed. Of the many angles for one rotation the nearest to the receiver's are mixed in.
+  /// Returns the guides of an iteration with a transfer: la gbest_alpha + (1 - la) (gbest_beta
+  /// completed) for alpha, and likewise with alpha's rotation and lb for beta. Computes the
+  /// complement again only when beta's gbest has changed. Of the many angles for one rotation it
+  /// mixes those that are nearest to the receiver's.
   Guides exchange(int iteration, const Swarm& alpha, const Swarm& beta, bool beta_changed);
 
   std::uint64_t queries() const { return queries_; }
 
  private:
-  /// The rotation of a guide: `share` of one's own, the rest of the other's.
+  /// Mixes the rotation of a guide: `share` of the swarm's own, the rest of the other's.
   void mix(const double* own, const double* other, double share, double* out) const;
 
   const KnowledgeComplement& complement_;

@@ -27,10 +27,10 @@ inline std::array<std::uint64_t, 4> philox(std::array<std::uint64_t, 2> key,
   return counter;
 }
 
-/// Uniform in [0, 1) from one word, with all 53 bits that a double holds.
+/// Returns a number in [0, 1) made of one word, with all 53 bits that a double holds.
 inline double uniform(std::uint64_t word) { return static_cast<double>(word >> 11) * 0x1.0p-53; }
 
-/// Who draws: the counter is (iteration, stream, particle, dimension).
+/// Who draws random numbers: the counter is (iteration, stream, particle, dimension).
 enum class Stream : std::uint64_t { Alpha = 0, Beta = 1, Transfer = 2 };
 
 inline std::array<std::uint64_t, 4> draw(std::uint64_t seed, std::uint64_t iteration, Stream stream,

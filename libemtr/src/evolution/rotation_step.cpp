@@ -1,7 +1,7 @@
 #include "evolution/rotation_step.h"
 
-#include "geometry/rotation_vector.h"
 #include "geometry/euler.h"
+#include "geometry/rotation_vector.h"
 
 namespace emtr {
 namespace {

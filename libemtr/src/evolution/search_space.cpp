@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/rotation_vector.h"
 #include "geometry/euler.h"
+#include "geometry/rotation_vector.h"
+#include "util/constants.h"
 
 namespace emtr {
 namespace {
@@ -12,9 +13,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// A range cut to another; its nearest end where they do not meet.
+/// Returns a range cut to another one, or its nearest end where they do not meet.
 Gene cut(double low, double high, double least, double most) {
   return {std::clamp(least, low, high), std::clamp(most, low, high), true};
 }
@@ -56,7 +55,7 @@ void SearchSpace::make_translation_genes(double bound) {
       high = limits.ball->center[i] + limits.ball->radius;
     }
     if (limits.box) {
-      // R lever may point anywhere.
+      // R times the lever may point anywhere.
       const double reach = limits.box->lever.norm(), least = limits.box->low[i] - reach,
                    most = limits.box->high[i] + reach;
       const Gene narrow =
@@ -113,10 +112,10 @@ void SearchSpace::encode(const Rigid& pose, double* genes) const {
   } else {
     const Vector3d& axis = prior_->rotation().axis->axis;
     const Quaterniond q = Quaterniond(pose.R);
-    const SwingTwist turn(q, axis);
-    genes[0] = angle_.middle + angle_.offset(turn.angle);
+    const SwingTwist about_axis(q, axis);
+    genes[0] = angle_.middle + angle_.offset(about_axis.angle);
     if (angles() == 3) {
-      const Vector3d tilt = logarithm(q * Eigen::AngleAxisd(-turn.angle, axis));
+      const Vector3d tilt = logarithm(q * Eigen::AngleAxisd(-about_axis.angle, axis));
       genes[1] = tilt.dot(e1_);
       genes[2] = tilt.dot(e2_);
     }

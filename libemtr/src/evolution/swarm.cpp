@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "util/constants.h"
+
 namespace emtr {
 
 std::vector<Gene> rotation_genes() {
-  constexpr double pi = 3.14159265358979323846;
-  return {{-pi, pi, false}, {-pi / 2, pi / 2, false}, {-pi, pi, false}};
+  return {{-kPi, kPi, false}, {-kPi / 2, kPi / 2, false}, {-kPi, kPi, false}};
 }
 
 std::vector<Gene> pose_genes(double bound) {
@@ -21,29 +22,29 @@ Swarm::Swarm(std::vector<Gene> genes, const Settings& settings, Stream stream, R
     : genes_(std::move(genes)),
       settings_(settings),
       stream_(stream),
-      turning_(steps == RotationSteps::Vector ? 3 : 0) {
+      vector_genes_(steps == RotationSteps::Vector ? 3 : 0) {
   const auto population = static_cast<std::size_t>(settings.population);
   position_.resize(population * dimensions());
   velocity_.resize(population * dimensions());
   fitness_.assign(population, HUGE_VAL);
   best_fitness_.assign(population, HUGE_VAL);
-  for (std::size_t i = 0; i < population; ++i) draw_particle(i, 0, 0);
+  for (std::size_t i = 0; i < population; ++i) draw_particle(i);
   best_position_ = position_;
 }
 
-void Swarm::draw_particle(std::size_t i, std::uint64_t iteration, std::size_t word) {
+void Swarm::draw_particle(std::size_t i) {
   const std::size_t d = dimensions();
   for (std::size_t k = 0; k < d; ++k) {
-    const auto words = draw(settings_.seed, iteration, stream_, i, k);
+    const auto words = draw(settings_.seed, 0, stream_, i, k);
     const double range = genes_[k].high - genes_[k].low;
-    position_[i * d + k] = genes_[k].low + range * uniform(words[word]);
-    velocity_[i * d + k] = velocity_limit(k) * (2 * uniform(words[word + 1]) - 1);
+    position_[i * d + k] = genes_[k].low + range * uniform(words[0]);
+    velocity_[i * d + k] = velocity_limit(k) * (2 * uniform(words[1]) - 1);
   }
 }
 
 double Swarm::velocity_limit(std::size_t gene) const {
-  constexpr double turn = 2 * 3.14159265358979323846;
-  const double range = gene < turning_ ? turn : genes_[gene].high - genes_[gene].low;
+  constexpr double whole_rotation = 2 * kPi;
+  const double range = gene < vector_genes_ ? whole_rotation : genes_[gene].high - genes_[gene].low;
   return settings_.velocity_limit * range;
 }
 
@@ -77,7 +78,7 @@ void Swarm::move(int iteration, double inertia, const double* guide) {
     difference(x, best_position(i), to_best.data());
     difference(x, guide, to_guide.data());
     for (std::size_t k = 0; k < d; ++k) {
-      // Iteration 0 of the counter was the initial population's.
+      // Iteration 0 of the counter drew the initial population.
       const auto word =
           draw(settings_.seed, static_cast<std::uint64_t>(iteration) + 1, stream_, i, k);
       v[k] = inertia * v[k] + settings_.cognitive * uniform(word[0]) * to_best[k] +
@@ -89,13 +90,13 @@ void Swarm::move(int iteration, double inertia, const double* guide) {
 }
 
 void Swarm::difference(const double* from, const double* to, double* out) const {
-  if (turning_) rotation_between(from, to, out);
-  for (std::size_t k = turning_; k < dimensions(); ++k) out[k] = to[k] - from[k];
+  if (vector_genes_) rotation_between(from, to, out);
+  for (std::size_t k = vector_genes_; k < dimensions(); ++k) out[k] = to[k] - from[k];
 }
 
 void Swarm::advance(double* x, double* v) const {
-  if (turning_) rotate_angles(x, v);
-  for (std::size_t k = turning_; k < dimensions(); ++k) {
+  if (vector_genes_) rotate_angles(x, v);
+  for (std::size_t k = vector_genes_; k < dimensions(); ++k) {
     const Gene& gene = genes_[k];
     x[k] += v[k];
     if (gene.wall && (x[k] < gene.low || x[k] > gene.high)) {
@@ -103,26 +104,6 @@ void Swarm::advance(double* x, double* v) const {
       v[k] = 0;
     }
   }
-}
-
-std::vector<std::size_t> Swarm::worst(double share) const {
-  std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < size(); ++i)
-    if (i != gbest_) out.push_back(i);
-  std::stable_sort(out.begin(), out.end(), [this](std::size_t a, std::size_t b) {
-    return best_fitness_[a] > best_fitness_[b];
-  });
-  const auto most = static_cast<std::size_t>(share * static_cast<double>(size()));
-  out.resize(std::min(out.size(), most));
-  return out;
-}
-
-void Swarm::restart(std::size_t i, int iteration) {
-  // The other two words of the block that its last step was made of.
-  draw_particle(i, static_cast<std::uint64_t>(iteration) + 1, 2);
-  const std::size_t d = dimensions();
-  std::copy_n(&position_[i * d], d, &best_position_[i * d]);
-  best_fitness_[i] = HUGE_VAL;
 }
 
 }  // namespace emtr

@@ -4,24 +4,24 @@
 #include <cstdint>
 #include <vector>
 
-#include "settings/settings.h"
 #include "evolution/philox.h"
 #include "evolution/rotation_step.h"
+#include "settings/settings.h"
 
 namespace emtr {
 
-/// The range that a gene is drawn from. A `wall` also stops it: a translation has a box, an angle
-/// is periodic and flies on.
+/// The range that a gene is drawn from. A `wall` also stops it at the ends: a translation stays in
+/// its box, an angle is periodic and needs none.
 struct Gene {
   double low, high;
   bool wall;
 };
 
-std::vector<Gene> rotation_genes();                      ///< task beta's three
-std::vector<Gene> pose_genes(double translation_bound);  ///< task alpha's six
+std::vector<Gene> rotation_genes();                      ///< of task beta: three angles
+std::vector<Gene> pose_genes(double translation_bound);  ///< of task alpha: six
 
-/// One population of particle swarm optimisation, minimising. Knows nothing of what a particle
-/// means, but that its first three genes are Euler angles when they step by rotation vectors.
+/// A population of particle swarm optimization, which minimizes. Does not know what a particle
+/// means, except that its first three genes are Euler angles when they step by rotation vectors.
 class Swarm {
  public:
   Swarm(std::vector<Gene> genes, const Settings& settings, Stream stream, RotationSteps steps);
@@ -33,33 +33,28 @@ class Swarm {
   const double* best_position(std::size_t i) const { return &best_position_[i * dimensions()]; }
   double best_fitness(std::size_t i) const { return best_fitness_[i]; }
 
-  /// Puts a particle somewhere of the caller's choice, before the first evaluation.
+  /// Places a particle, before the first evaluation.
   void place(std::size_t i, const double* position);
 
-  /// Fitness of each position, written by the caller (from any thread, each i once).
+  /// The fitness of each position, to be written by the caller from any thread, each i once.
   std::vector<double>& fitness() { return fitness_; }
   /// Replaces the pbests' fitness after the objective has changed (lines 22-26 of Algorithm 1).
   void set_best_fitness(const std::vector<double>& fitness) { best_fitness_ = fitness; }
 
-  /// Takes the positions that are better than their pbest, then gbest. True when gbest moved.
+  /// Updates each pbest whose position is better, then gbest. Returns true when gbest moved.
   bool update_bests();
 
   std::size_t gbest() const { return gbest_; }
   const double* gbest_position() const { return best_position(gbest_); }
   double gbest_fitness() const { return best_fitness_[gbest_]; }
 
-  /// v <- w v + c1 r1 (pbest - x) + c2 r2 (guide - x), x <- x + v. Of rotations that step by
-  /// vectors v and both differences are rotation vectors, and the sum is exp(v) R(x).
+  /// Moves all particles: v <- w v + c1 r1 (pbest - x) + c2 r2 (guide - x), x <- x + v. For
+  /// rotations that step by vectors, v and both differences are rotation vectors, and the sum is
+  /// exp(v) R(x).
   void move(int iteration, double inertia, const double* guide);
 
-  /// The particles with the worst pbests, `share` of all and never gbest, worst first.
-  std::vector<std::size_t> worst(double share) const;
-
-  /// Draws a particle's position and velocity anew; it has no pbest until it is evaluated.
-  void restart(std::size_t i, int iteration);
-
  private:
-  void draw_particle(std::size_t i, std::uint64_t iteration, std::size_t word);
+  void draw_particle(std::size_t i);
   double velocity_limit(std::size_t gene) const;
   void difference(const double* from, const double* to, double* out) const;
   void advance(double* position, double* velocity) const;
@@ -67,7 +62,7 @@ class Swarm {
   std::vector<Gene> genes_;
   Settings settings_;
   Stream stream_;
-  std::size_t turning_;  // leading genes that step by a rotation vector, 0 or 3
+  std::size_t vector_genes_;  // leading genes that step by a rotation vector, 0 or 3
   std::vector<double> position_, velocity_, best_position_;
   std::vector<double> fitness_, best_fitness_;
   std::size_t gbest_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "features/fpfh_backends.h"
+#include "geometry/surface.h"
 
 namespace emtr {
 
@@ -16,19 +17,7 @@ FeatureDefinition feature_definition(const Settings& settings, double leaf) {
 
 namespace {
 
-/// Turned to the viewpoint, as estimated ones are.
-Cloud facing(const Cloud& cloud, Cloud normals, const std::array<float, 3>& viewpoint) {
-  const auto [x, y, z] = viewpoint;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const float towards = ((x - cloud.x[i]) * normals.x[i] + (y - cloud.y[i]) * normals.y[i]) +
-                          (z - cloud.z[i]) * normals.z[i];
-    if (!(towards < 0)) continue;
-    for (auto* axis : {&normals.x, &normals.y, &normals.z}) (*axis)[i] = -(*axis)[i];
-  }
-  return normals;
-}
-
-Features described(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
+Features describe_oriented(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
                    int threads, const Cloud& normals) {
   if (normals.size() && definition.normals_only) {
     Features out;
@@ -46,9 +35,10 @@ Features described(const Cloud& cloud, const FeatureDefinition& definition, cons
 Features describe(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
                   int threads, const Cloud& normals) {
   if (normals.size() == 0 || definition.trust_normals)
-    return described(cloud, definition, kernels, threads, normals);
-  return described(cloud, definition, kernels, threads,
-                   facing(cloud, normals, definition.viewpoint));
+    return describe_oriented(cloud, definition, kernels, threads, normals);
+  Cloud oriented = normals;
+  orient_normals(cloud, definition.viewpoint, oriented);
+  return describe_oriented(cloud, definition, kernels, threads, oriented);
 }
 
 Features mirrored(const Features& features) {

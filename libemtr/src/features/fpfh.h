@@ -11,8 +11,8 @@ namespace emtr {
 
 constexpr int kFeatureSize = 33;  ///< bins of FPFH
 
-/// Normals (n, 3) and FPFH descriptors (n, 33) of a cloud, row-major, NaN where a point has too
-/// few neighbors for one.
+/// Normals (n, 3) and FPFH descriptors (n, 33) of a cloud, row-major; NaN where a point has too few
+/// neighbors.
 struct Features {
   std::vector<float> normals;
   std::vector<float> descriptors;
@@ -23,10 +23,10 @@ struct Features {
   }
 };
 
-/// Who computes the features; one definition.
+/// The code that computes the features, which have one definition.
 enum class FeatureBackend {
-  Pcl = 0,  ///< PCL's functions
-  Simd = 1  ///< the kernels: an entry of a histogram may lie on the other side of a bin's edge
+  Pcl = EMTR_FEATURES_PCL,   ///< PCL's functions
+  Simd = EMTR_FEATURES_SIMD  ///< the kernels: an entry may fall on the other side of a bin's edge
 };
 
 /// Lengths in the normalized frame.
@@ -34,22 +34,22 @@ struct FeatureDefinition {
   double normal_radius, feature_radius;        ///< the second at least as large as the first
   std::array<float, 3> viewpoint = {0, 0, 0};  ///< normals point to it; the centroid by default
   FeatureBackend backend = FeatureBackend::Pcl;
-  bool trust_normals = true;  ///< given ones keep the side that they point to, else the viewpoint's
+  bool trust_normals = true;  ///< the user's keep the side they point to, else the viewpoint's
   bool normals_only = false;  ///< no descriptors
 };
 
-/// What the settings ask for on a cloud thinned by that leaf.
+/// Returns the definition that the settings ask for on a cloud downsampled by that leaf.
 FeatureDefinition feature_definition(const Settings& settings, double leaf);
 
-/// Normals as of pcl::NormalEstimationOMP and descriptors as of pcl::FPFHEstimationOMP, the latter
-/// over the points that have a normal. The cloud is finite. The result does not depend on the
-/// kernels or the threads. `normals`: one a point, NaN where there is none, to be used instead of
-/// the estimated ones; empty for none.
+/// Computes normals as pcl::NormalEstimationOMP and descriptors as pcl::FPFHEstimationOMP, the latter
+/// from the points that have a normal. The cloud is finite. The result does not depend on the
+/// kernels or the threads. Uses `normals`, unless empty, instead of estimated ones: one for each
+/// point, NaN where there is none.
 Features describe(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
                   int threads, const Cloud& normals = {});
 
-/// The features with all normals turned around: of the three histograms the first and the last
-/// are reversed, the second stays.
+/// Returns the features of the cloud with all normals reversed: the first and the last of the three
+/// histograms are reversed, the second stays.
 Features mirrored(const Features& features);
 
 }  // namespace emtr

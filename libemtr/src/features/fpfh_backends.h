@@ -4,7 +4,7 @@
 
 namespace emtr {
 
-/// `normals` as in describe().
+/// Both take `normals` as describe() does, already oriented.
 Features describe_by_pcl(const Cloud& cloud, const FeatureDefinition& definition, int threads,
                          const Cloud& normals);
 Features describe_by_kernels(const Cloud& cloud, const FeatureDefinition& definition,

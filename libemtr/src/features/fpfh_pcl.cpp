@@ -6,22 +6,21 @@
 #include <numeric>
 
 #include "features/fpfh_backends.h"
-#include "neighbors/neighborhood.h"
 #include "geometry/pcl_cloud.h"
+#include "neighbors/neighborhood.h"
+#include "util/constants.h"
 
 namespace emtr {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
-/// PCL's functions over one grid. Neighbors are looked up anew for each of the three steps: that
-/// is a small part of the time, and all lists together could be larger than the memory.
+/// Runs PCL's functions over one grid. Each of the three steps searches the neighbors anew: that
+/// takes a small part of the time, and all lists together could be larger than the memory.
 class Description {
  public:
   Description(const Cloud& cloud, const FeatureDefinition& definition, std::size_t threads,
               const Cloud& normals)
       : definition_(definition),
-        given_(normals),
+        user_normals_(normals),
         points_(to_pcl(cloud)),
         grid_(cloud, std::max(definition.normal_radius, definition.feature_radius / 2)),
         scratch_(threads),
@@ -36,7 +35,7 @@ class Description {
   Features run(ThreadTeam& team) {
     const bool ordered = true;
     for_each_point(team, definition_.normal_radius, [this](std::size_t i, Scratch& s) {
-      if (given_.size()) return take_normal(row(i));
+      if (user_normals_.size()) return use_normal(row(i));
       s.neighbors.find(grid_, i, ordered, [](std::size_t) { return true; });
       estimate_normal(row(i), s.neighbors.index);
     });
@@ -71,7 +70,7 @@ class Description {
   void for_each_point(ThreadTeam& team, double radius, const Work& work) {
     for_each_cell(grid_, team, [&](std::size_t cell, std::size_t thread) {
       Scratch& s = scratch_[thread];
-      s.neighbors.look_around(grid_, cell, radius);
+      s.neighbors.set_cell(grid_, cell, radius);
       for (std::size_t i = grid_.begin(cell); i < grid_.end(cell); ++i) work(i, s);
     });
   }
@@ -79,8 +78,8 @@ class Description {
   std::size_t row(std::size_t sorted) const { return static_cast<std::size_t>(grid_.rows[sorted]); }
   bool has_normal(std::size_t at) const { return std::isfinite(normals_[at].normal_x); }
 
-  void take_normal(std::size_t at) {
-    const float normal[3] = {given_.x[at], given_.y[at], given_.z[at]};
+  void use_normal(std::size_t at) {
+    const float normal[3] = {user_normals_.x[at], user_normals_.y[at], user_normals_.z[at]};
     std::copy_n(normal, 3, normals_[at].normal);
     std::copy_n(normal, 3, &features_.normals[3 * at]);
   }
@@ -109,7 +108,7 @@ class Description {
   }
 
   const FeatureDefinition& definition_;
-  const Cloud& given_;  // normals; empty for none
+  const Cloud& user_normals_;  // empty for none
   pcl::PointCloud<pcl::PointXYZ>::Ptr points_;
   CellGrid grid_;
   std::vector<Scratch> scratch_;

@@ -1,34 +1,36 @@
 #include <algorithm>
 #include <cmath>
 
-#include "voxels/cell_grid.h"
 #include "features/fpfh_backends.h"
+#include "util/constants.h"
+#include "voxels/cell_grid.h"
 
 namespace emtr {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
+/// Runs the kernels over one grid.
 class Description {
  public:
   Description(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
               std::size_t threads, const Cloud& normals)
       : definition_(definition),
         kernels_(kernels),
-        given_(normals),
+        user_normals_(normals),
         n_(cloud.size()),
         grid_(cloud, std::max(definition.normal_radius, definition.feature_radius / 2)),
         scratch_(threads),
         moments_(kMoments * n_),
         histograms_(kDescriptorRow * n_) {
-    normals_.resize(n_);
     features_.normals.resize(3 * n_);
     if (!definition.normals_only) features_.descriptors.assign(kDescriptor * n_, kNone);
   }
 
   Features run(ThreadTeam& team) {
-    given_.size() ? take_normals() : estimate_normals(team);
-    spread_normals();
+    if (user_normals_.size())
+      normals_ = user_normals_.select(grid_.rows);
+    else
+      estimate_normals(team);
+    write_normals();
     if (definition_.normals_only) return std::move(features_);
     for_each_cell(grid_, team, [this](std::size_t cell, std::size_t thread) {
       pair_histograms(cell, scratch_[thread]);
@@ -64,21 +66,15 @@ class Description {
         kernels_.moments(s.list.points.view(), point(i).data(), squared(definition_.normal_radius),
                          &moments_[i], n_);
     });
-    kernels_.least_directions(moments_.data(), n_, grid_.sorted.view(),
+    normals_.resize(n_);
+    kernels_.plane_normals(moments_.data(), n_, grid_.sorted.view(),
                               definition_.viewpoint.data(), normals_.x.data(), normals_.y.data(),
                               normals_.z.data());
   }
 
-  void take_normals() {
-    for (std::size_t i = 0; i < n_; ++i) {
-      const auto row = static_cast<std::size_t>(grid_.rows[i]);
-      const float normal[3] = {given_.x[row], given_.y[row], given_.z[row]};
-      normals_.set(i, normal);
-    }
-  }
-
-  void spread_normals() {
-    // Points without a normal are nobody's neighbors from here on.
+  /// Writes the normals by the cloud's rows, and moves the points without one far away, so that they
+  /// are no neighbors in the descriptors.
+  void write_normals() {
     oriented_ = grid_.sorted;
     for (std::size_t i = 0; i < n_; ++i) {
       float* out = &features_.normals[3 * static_cast<std::size_t>(grid_.rows[i])];
@@ -91,19 +87,14 @@ class Description {
 
   void pair_histograms(std::size_t cell, Scratch& s) {
     gather(cell, definition_.feature_radius, oriented_, s);
-    s.normals.resize(s.list.size());
-    for (std::size_t k = 0; k < s.list.size(); ++k) {
-      s.normals.x[k] = normals_.x[s.list.rows[k]];
-      s.normals.y[k] = normals_.y[s.list.rows[k]];
-      s.normals.z[k] = normals_.z[s.list.rows[k]];
-    }
+    normals_.select(s.list.rows, s.normals);
     const SurfaceView list = {s.list.points.view(), s.normals.x.data(), s.normals.y.data(),
                               s.normals.z.data()};
     for (std::size_t i = grid_.begin(cell); i < grid_.end(cell); ++i) {
       if (!has_normal(i)) continue;
       const auto [x, y, z] = point(i);
-      kernels_.pair_histograms(list, {x, y, z, normals_.x[i], normals_.y[i], normals_.z[i]},
-                               squared(definition_.feature_radius),
+      const SurfacePoint query = {{x, y, z}, {normals_.x[i], normals_.y[i], normals_.z[i]}};
+      kernels_.pair_histograms(list, query, squared(definition_.feature_radius),
                                &histograms_[kDescriptorRow * i]);
     }
   }
@@ -129,7 +120,7 @@ class Description {
 
   const FeatureDefinition& definition_;
   const Kernels& kernels_;
-  const Cloud& given_;  // normals, in the cloud's order; empty for none
+  const Cloud& user_normals_;  // in the cloud's order; empty for none
   std::size_t n_;
   CellGrid grid_;
   std::vector<Scratch> scratch_;

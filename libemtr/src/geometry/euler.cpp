@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "util/constants.h"
+
 namespace emtr {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-double nearest_turn(double angle, double reference) {
+double nearest_equivalent(double angle, double reference) {
   return angle + 2 * kPi * std::round((reference - angle) / (2 * kPi));
 }
 
@@ -42,14 +42,14 @@ void nearest_alias(const double angles[3], const double reference[3], double out
                                 {angles[0] + kPi, kPi - angles[1], angles[2] + kPi}};
   double best = HUGE_VAL;
   for (const auto& alias : aliases) {
-    double turned[3], distance = 0;
+    double near[3], distance = 0;
     for (int i = 0; i < 3; ++i) {
-      turned[i] = nearest_turn(alias[i], reference[i]);
-      distance += (turned[i] - reference[i]) * (turned[i] - reference[i]);
+      near[i] = nearest_equivalent(alias[i], reference[i]);
+      distance += (near[i] - reference[i]) * (near[i] - reference[i]);
     }
     if (distance < best) {
       best = distance;
-      std::copy_n(turned, 3, out);
+      std::copy_n(near, 3, out);
     }
   }
 }

@@ -7,7 +7,7 @@
 
 namespace emtr {
 
-/// Between our arrays and PCL's points; only files of this folder include this one.
+/// Converts to PCL's points. PCL's headers are large: only files that need them include this one.
 inline pcl::PointCloud<pcl::PointXYZ>::Ptr to_pcl(const Cloud& cloud) {
   auto out = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   out->resize(cloud.size());
@@ -16,6 +16,7 @@ inline pcl::PointCloud<pcl::PointXYZ>::Ptr to_pcl(const Cloud& cloud) {
   return out;
 }
 
+/// Converts from PCL's points.
 inline Cloud from_pcl(const pcl::PointCloud<pcl::PointXYZ>& cloud) {
   Cloud out;
   out.resize(cloud.size());

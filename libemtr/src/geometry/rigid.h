@@ -35,12 +35,12 @@ void to_matrix(const Rigid& pose, double transformation[16]);
 /// Reads a pose from a row-major 4x4 matrix, of which the last row is taken to be (0, 0, 0, 1).
 Rigid from_matrix(const double transformation[16]);
 
-/// Tells whether a row-major 4x4 is a rotation and a translation, to the precision in which people
-/// write such matrices down.
+/// Tells whether a row-major 4x4 matrix is a rotation and a translation, to the precision in which
+/// people write such matrices down.
 bool is_rigid(const double transformation[16]);
 
-/// Beyond this a translation in the normalized frame has no digits left in the floats that the
-/// clouds are made of.
+/// The largest useful translation in the normalized frame: a larger one leaves no digits in the
+/// floats that the clouds are made of.
 constexpr double kFarthest = 1e6;
 
 /// Tells whether all values are numbers of at most kFarthest.

@@ -1,5 +1,7 @@
 #include "geometry/rotation_vector.h"
 
+#include "util/constants.h"
+
 namespace emtr {
 
 Eigen::Quaterniond exponential(const Eigen::Vector3d& vector) {
@@ -9,9 +11,9 @@ Eigen::Quaterniond exponential(const Eigen::Vector3d& vector) {
 }
 
 Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation) {
-  constexpr double pi = 3.14159265358979323846;
-  const Eigen::AngleAxisd turn(rotation);
-  return (turn.angle() > pi ? turn.angle() - 2 * pi : turn.angle()) * turn.axis();
+  const Eigen::AngleAxisd angle_axis(rotation);
+  const double angle = angle_axis.angle();
+  return (angle > kPi ? angle - 2 * kPi : angle) * angle_axis.axis();
 }
 
 }  // namespace emtr

@@ -7,7 +7,7 @@ namespace emtr {
 Rigid moved(const Rigid& pose, const double x[6]) {
   const Eigen::Quaterniond rotation = exponential(Eigen::Vector3d::Map(x));
   Rigid out;
-  // Through a quaternion of length 1: nine numbers would drift away from a rotation.
+  // A quaternion of length 1 stays a rotation; nine numbers would drift away from one.
   out.R = (rotation * Eigen::Quaterniond(pose.R)).normalized().toRotationMatrix();
   out.t = rotation * pose.t + Eigen::Vector3d(x[3], x[4], x[5]);
   return out;

@@ -5,7 +5,7 @@
 
 namespace emtr {
 
-/// A rotation as the kernels read it: row-major floats.
+/// Holds a rotation as the kernels read it: row-major floats.
 struct RotationFloats {
   float values[9];
 

@@ -1,4 +1,4 @@
-// All inner loops and their table, for the instruction set whose name EMTR_KERNEL is.
+// Compiles all inner loops and their table for the instruction set that EMTR_KERNEL names.
 #include "kernels/lanes.h"
 //
 #include "kernels/consensus.inl"
@@ -25,10 +25,10 @@ constexpr Kernels all(const char* name) {
   k.consistent = consistent;
   k.count_common = count_common;
   k.moments = moments;
-  k.least_directions = least_directions;
+  k.plane_normals = plane_normals;
   k.pair_histograms = pair_histograms;
   k.weighted_histograms = weighted_histograms;
-  k.least_squared = least_squared;
+  k.minimum_squared_distance = minimum_squared_distance;
   k.nearest_descriptors = nearest_descriptors;
   return k;
 }

@@ -1,15 +1,13 @@
-// Task beta's sum over all pairs of correspondences. Included by each instruction set's file.
+// Sums task beta over all pairs of correspondences. Included by each instruction set's file.
 //
 // The residual of the pair j, k is a difference of two ends: with e = R p - q of a correspondence,
 // R (p_k - p_j) - (q_k - q_j) = e_k - e_j. So the sum is over the pairs of a few hundred points,
-// which stay in the nearest cache, and blocks of them that lie apart need not be looked at.
+// which stay in the nearest cache, and it skips pairs of blocks that lie apart.
 
 #include "kernels/lanes.h"
 
 namespace emtr::EMTR_KERNEL {
 namespace {
-
-constexpr float kApart = 1e18f;  // padding: far from every end, its square is finite
 
 /// Ends in blocks of sixteen and the boxes around them.
 struct Ends {
@@ -28,11 +26,11 @@ Ends make_ends(const PointsView& p, const PointsView& q, const float* R, float* 
       at[i] = ((R[3 * a] * p.x[i] + R[3 * a + 1] * p.y[i]) + R[3 * a + 2] * p.z[i]) - to[a][i];
     for (std::size_t i = p.size; i < padded; ++i) at[i] = at[p.size - 1];
     for (std::size_t b = 0; b < ends.blocks; ++b) {
-      const Sixteen block = loaded<kWide>(at + b * kWide);
-      low[b] = least_of(block);
-      high[b] = -least_of(Sixteen{} - block);
+      const Sixteen block = load<kWide>(at + b * kWide);
+      low[b] = minimum_of(block);
+      high[b] = -minimum_of(Sixteen{} - block);
     }
-    for (std::size_t i = p.size; i < padded; ++i) at[i] = kApart;
+    for (std::size_t i = p.size; i < padded; ++i) at[i] = kFarAway;
     ends.at[a] = at;
     ends.low[a] = low;
     ends.high[a] = high;
@@ -41,8 +39,8 @@ Ends make_ends(const PointsView& p, const PointsView& q, const float* R, float* 
   return ends;
 }
 
-/// At most what the pairs of the two have, to the last bit: the operations are the same ones and
-/// rounding keeps their order.
+/// Returns a lower bound of the squared residuals of the pairs of two blocks, exact to the last bit:
+/// the operations are the same, and rounding keeps the order of their results.
 EMTR_INLINE float squared_gap(const Ends& ends, std::size_t i, std::size_t j) {
   float squared[3];
   for (int a = 0; a < 3; ++a) {
@@ -58,23 +56,23 @@ struct Sums {
   double residuals[kWide];
 };
 
-/// The pairs of one end of block i and one of block j; with Same, i being j, each pair once.
+/// Adds the pairs of one end of block i and one of block j; with Same, where i is j, each pair once.
 template <bool Same>
 EMTR_INLINE void add_pairs(const Ends& ends, std::size_t i, std::size_t j, float squared_threshold,
                            Sums& sums) {
   const float *at_x = ends.at[0], *at_y = ends.at[1], *at_z = ends.at[2];
-  const Sixteen x = loaded<kWide>(at_x + j * kWide);
-  const Sixteen y = loaded<kWide>(at_y + j * kWide);
-  const Sixteen z = loaded<kWide>(at_z + j * kWide);
+  const Sixteen x = load<kWide>(at_x + j * kWide);
+  const Sixteen y = load<kWide>(at_y + j * kWide);
+  const Sixteen z = load<kWide>(at_z + j * kWide);
   const std::size_t begin = i * kWide, left = ends.size - begin, n = left < kWide ? left : kWide;
   Sixteen sum = {};
   Ints<kWide> count = {};
   for (std::size_t k = 0; k < n; ++k) {
-    const Sixteen dx = x - all<kWide>(at_x[begin + k]);
-    const Sixteen dy = y - all<kWide>(at_y[begin + k]);
-    const Sixteen dz = z - all<kWide>(at_z[begin + k]);
+    const Sixteen dx = x - broadcast<kWide>(at_x[begin + k]);
+    const Sixteen dy = y - broadcast<kWide>(at_y[begin + k]);
+    const Sixteen dz = z - broadcast<kWide>(at_z[begin + k]);
     const Sixteen squared = (dx * dx + dy * dy) + dz * dz;
-    Ints<kWide> inlier = squared < all<kWide>(squared_threshold);  // all bits set, or none
+    Ints<kWide> inlier = squared < broadcast<kWide>(squared_threshold);  // all bits set, or none
     if constexpr (Same) inlier = inlier & lanes_after<kWide>(static_cast<std::int32_t>(k));
     sum = sum + masked(root(squared), inlier);
     count = count - inlier;

@@ -1,12 +1,12 @@
-// Pairwise consistency of correspondences. Included by each instruction set's file.
+// Computes the pairwise consistency of correspondences. Included by each instruction set's file.
 
 namespace emtr::EMTR_KERNEL {
 namespace {
 
 EMTR_INLINE Sixteen lengths(const PointsView& p, std::size_t i, std::size_t from) {
-  const Sixteen dx = loaded<kWide>(p.x + from) - all<kWide>(p.x[i]);
-  const Sixteen dy = loaded<kWide>(p.y + from) - all<kWide>(p.y[i]);
-  const Sixteen dz = loaded<kWide>(p.z + from) - all<kWide>(p.z[i]);
+  const Sixteen dx = load<kWide>(p.x + from) - broadcast<kWide>(p.x[i]);
+  const Sixteen dy = load<kWide>(p.y + from) - broadcast<kWide>(p.y[i]);
+  const Sixteen dz = load<kWide>(p.z + from) - broadcast<kWide>(p.z[i]);
   return root((dx * dx + dy * dy) + dz * dz);
 }
 
@@ -16,7 +16,7 @@ void consistent(const PointsView& p, const PointsView& q, std::size_t i, float t
     std::uint64_t word = 0;
     for (std::size_t k = 0; k < 64; k += kWide) {
       const Sixteen d = lengths(p, i, from + k) - lengths(q, i, from + k);
-      const Ints<kWide> close = (d < all<kWide>(threshold)) & (all<kWide>(-threshold) < d);
+      const Ints<kWide> close = (d < broadcast<kWide>(threshold)) & (broadcast<kWide>(-threshold) < d);
       std::int32_t each[kWide];
       store<kWide, Ints>(each, close);
       for (std::size_t l = 0; l < kWide; ++l)

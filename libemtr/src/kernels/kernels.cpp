@@ -12,7 +12,7 @@ extern const Kernels k_generic, k_avx2, k_avx512;
 
 namespace {
 
-// Slowest first.
+// Lists the slowest first.
 const Kernels* const kAll[] = {
     &k_generic,
 #if defined(__x86_64__)

@@ -2,8 +2,8 @@
 
 #include "kernels/kernels.h"
 
-// Numbers side by side, in as many registers as the instruction set needs for them. Only for the
-// files of this folder: each instruction set has a namespace of its own.
+// Defines numbers side by side, in as many registers as the instruction set needs for them. Only
+// files of this folder may include this one: each instruction set has a namespace of its own.
 
 #if defined(__AVX512F__)
 #define EMTR_REGISTER 16  // floats
@@ -92,55 +92,55 @@ EMTR_UNARY(Ints, Ints, operator~, ~a.v)
 EMTR_UNARY(Ints, Ints, byte_up, a.v << 8)
 EMTR_UNARY(Floats, Floats, magnitude,
            (typename Register<N>::Float)((typename Register<N>::Int)a.v & 0x7fffffff))
-// The sign bit alone, and `a` with its sign turned where that bit of b is set.
+// The sign bit alone, and `a` with its sign flipped where that bit of b is set.
 EMTR_UNARY(Ints, Floats, sign_of, (typename Register<N>::Int)a.v&(-0x7fffffff - 1))
-EMTR_BINARY(Floats, Floats, Ints, turned,
+EMTR_BINARY(Floats, Floats, Ints, flip_signs,
             (typename Register<N>::Float)((typename Register<N>::Int)a.v ^ b.v))
-EMTR_BINARY(Floats, Floats, Floats, least, b.v < a.v ? b.v : a.v)
-EMTR_BINARY(Floats, Floats, Floats, most, a.v > b.v ? a.v : b.v)  // b where a is no number
-// Towards zero.
+EMTR_BINARY(Floats, Floats, Floats, minimum, b.v < a.v ? b.v : a.v)
+EMTR_BINARY(Floats, Floats, Floats, maximum, a.v > b.v ? a.v : b.v)  // b where a is no number
+// Rounds towards zero.
 EMTR_UNARY(Ints, Floats, truncated, __builtin_convertvector(a.v, typename Register<N>::Int))
-// `a` where the mask b is set, else 0.
+// Keeps `a` where the mask b is set, else 0.
 EMTR_BINARY(Floats, Floats, Ints, masked,
             (typename Register<N>::Float)((typename Register<N>::Int)a.v& b.v))
 
 #undef EMTR_BINARY
 #undef EMTR_UNARY
 
-/// `a` where the mask is set, else `b`.
+/// Returns `a` where the mask is set, else `b`.
 template <std::size_t N>
-EMTR_INLINE Floats<N> chosen(const Ints<N>& mask, const Floats<N>& a, const Floats<N>& b) {
+EMTR_INLINE Floats<N> blend(const Ints<N>& mask, const Floats<N>& a, const Floats<N>& b) {
   if constexpr (one_register<N>())
     return {mask.v ? a.v : b.v};
   else
-    return {chosen(mask.low, a.low, b.low), chosen(mask.high, a.high, b.high)};
+    return {blend(mask.low, a.low, b.low), blend(mask.high, a.high, b.high)};
 }
 
-/// A number in every lane.
+/// Puts a number into every lane.
 template <std::size_t N>
-EMTR_INLINE Floats<N> all(float value) {
+EMTR_INLINE Floats<N> broadcast(float value) {
   if constexpr (one_register<N>())
     return {value - typename Register<N>::Float{}};
   else
-    return {all<N / 2>(value), all<N / 2>(value)};
+    return {broadcast<N / 2>(value), broadcast<N / 2>(value)};
 }
 template <std::size_t N>
-EMTR_INLINE Ints<N> all(std::int32_t value) {
+EMTR_INLINE Ints<N> broadcast(std::int32_t value) {
   if constexpr (one_register<N>())
     return {value - typename Register<N>::Int{}};
   else
-    return {all<N / 2>(value), all<N / 2>(value)};
+    return {broadcast<N / 2>(value), broadcast<N / 2>(value)};
 }
 
-// Register by register too: whole structs copied as bytes would stay in memory.
+// Loads register by register: whole structs copied as bytes would stay in memory.
 template <std::size_t N>
-EMTR_INLINE Floats<N> loaded(const float* from) {
+EMTR_INLINE Floats<N> load(const float* from) {
   if constexpr (one_register<N>()) {
     Floats<N> out;
     __builtin_memcpy(&out.v, from, sizeof out.v);
     return out;
   } else {
-    return {loaded<N / 2>(from), loaded<N / 2>(from + N / 2)};
+    return {load<N / 2>(from), load<N / 2>(from + N / 2)};
   }
 }
 
@@ -160,7 +160,7 @@ EMTR_INLINE Floats<N> root(const Floats<N>& a) {
     float each[N];
     __builtin_memcpy(each, &a.v, sizeof each);
     for (float& value : each) value = __builtin_sqrtf(value);
-    return loaded<N>(each);
+    return load<N>(each);
   } else {
     return {root(a.low), root(a.high)};
   }
@@ -188,7 +188,7 @@ EMTR_INLINE bool any(const Ints<N>& mask) {
   }
 }
 
-/// The sum of eight, always in this order: (((0 + 4) + (2 + 6)) + ((1 + 5) + (3 + 7))).
+/// Returns the sum of eight, always in this order: (((0 + 4) + (2 + 6)) + ((1 + 5) + (3 + 7))).
 EMTR_INLINE float sum_of(const Floats<8>& a) {
 #if EMTR_REGISTER >= 8
   auto v = a.v, w = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
@@ -205,7 +205,7 @@ EMTR_INLINE float sum_of(const Floats<8>& a) {
   return v[0];
 }
 
-/// Set in the lanes after lane k.
+/// Returns a mask that is set in the lanes after lane k.
 template <std::size_t N>
 EMTR_INLINE Ints<N> lanes_after(std::int32_t k, std::int32_t first = 0) {
   if constexpr (one_register<N>()) {
@@ -218,8 +218,8 @@ EMTR_INLINE Ints<N> lanes_after(std::int32_t k, std::int32_t first = 0) {
   }
 }
 
-/// The least of eight.
-EMTR_INLINE float least_of(const Floats<8>& a) {
+/// Returns the minimum of eight.
+EMTR_INLINE float minimum_of(const Floats<8>& a) {
 #if EMTR_REGISTER >= 8
   auto v = a.v, w = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
   v = w < v ? w : v;
@@ -227,7 +227,7 @@ EMTR_INLINE float least_of(const Floats<8>& a) {
   v = w < v ? w : v;
   w = __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
 #else
-  auto v = least(a.low, a.high).v, w = __builtin_shufflevector(v, v, 2, 3, 0, 1);
+  auto v = minimum(a.low, a.high).v, w = __builtin_shufflevector(v, v, 2, 3, 0, 1);
   v = w < v ? w : v;
   w = __builtin_shufflevector(v, v, 1, 0, 3, 2);
 #endif
@@ -235,19 +235,19 @@ EMTR_INLINE float least_of(const Floats<8>& a) {
   return v[0];
 }
 
-/// The least of sixteen.
-EMTR_INLINE float least_of(const Floats<16>& a) {
+/// Returns the minimum of sixteen.
+EMTR_INLINE float minimum_of(const Floats<16>& a) {
 #if EMTR_REGISTER >= 16
   const Floats<8> low = {__builtin_shufflevector(a.v, a.v, 0, 1, 2, 3, 4, 5, 6, 7)};
   const Floats<8> high = {__builtin_shufflevector(a.v, a.v, 8, 9, 10, 11, 12, 13, 14, 15)};
-  return least_of(least(low, high));
+  return minimum_of(minimum(low, high));
 #else
-  return least_of(least(a.low, a.high));
+  return minimum_of(minimum(a.low, a.high));
 #endif
 }
 
-/// The least of each of four times eight.
-EMTR_INLINE Floats<4> least_of_each(const Floats<8>* a) {
+/// Returns the minimum of each of four times eight.
+EMTR_INLINE Floats<4> minimum_of_each(const Floats<8>* a) {
 #if EMTR_REGISTER >= 8
   const auto halved = [](const auto& v, const auto& w) {  // pairs of v's lanes beside w's
     const auto even = __builtin_shufflevector(v, w, 0, 2, 8, 10, 4, 6, 12, 14);
@@ -264,7 +264,7 @@ EMTR_INLINE Floats<4> least_of_each(const Floats<8>* a) {
     const auto odd = __builtin_shufflevector(v, w, 1, 3, 5, 7);
     return even < odd ? even : odd;
   };
-  const auto four = [&](int i) { return least(a[i].low, a[i].high).v; };
+  const auto four = [&](int i) { return minimum(a[i].low, a[i].high).v; };
   return {halved(halved(four(0), four(1)), halved(four(2), four(3)))};
 #endif
 }

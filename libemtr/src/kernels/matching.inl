@@ -1,4 +1,4 @@
-// Nearest neighbors among descriptors, by comparing all with all. Included by each instruction
+// Finds nearest neighbors among descriptors by comparing all with all. Included by each instruction
 // set's file.
 
 #include "kernels/lanes.h"
@@ -30,8 +30,8 @@ EMTR_INLINE void enter_all(const Columns& squared, std::size_t row, std::int32_t
                            const NearestLists& of_columns) {
   const std::size_t row_last = (of_rows.k - 1) * of_rows.stride + row;
   const std::size_t column_last = (of_columns.k - 1) * of_columns.stride + first_column;
-  const bool row_gains = any(squared < all<kSide>(of_rows.squared[row_last]));
-  const bool column_gains = any(squared < loaded<kSide>(of_columns.squared + column_last));
+  const bool row_gains = any(squared < broadcast<kSide>(of_rows.squared[row_last]));
+  const bool column_gains = any(squared < load<kSide>(of_columns.squared + column_last));
   if (!row_gains && !column_gains) return;
   float each[kSide];
   store<kSide, Floats>(each, squared);
@@ -42,8 +42,8 @@ EMTR_INLINE void enter_all(const Columns& squared, std::size_t row, std::int32_t
   }
 }
 
-/// Number rows against kSide columns; the sum over the descriptor is taken in its order. Dimension
-/// is a constant or, where it is not known beforehand, a number.
+/// Compares Number rows with kSide columns and sums over the descriptor in its order. Dimension is a
+/// constant or, where it is not known beforehand, a number.
 template <std::size_t Number, class Dimension>
 EMTR_INLINE void compare(Dimension dimension, const float* rows, std::size_t row,
                          std::int32_t first_row, const float* columns, std::size_t first_column,
@@ -52,10 +52,10 @@ EMTR_INLINE void compare(Dimension dimension, const float* rows, std::size_t row
   Columns sum[Number] = {};
 #pragma GCC unroll 1
   for (std::size_t d = 0; d < size; ++d) {
-    const Columns column = loaded<kSide>(columns + d * kDescriptorBlock);
+    const Columns column = load<kSide>(columns + d * kDescriptorBlock);
 #pragma GCC unroll 4
     for (std::size_t r = 0; r < Number; ++r) {
-      const Columns difference = all<kSide>(rows[(row + r) * size + d]) - column;
+      const Columns difference = broadcast<kSide>(rows[(row + r) * size + d]) - column;
       sum[r] = sum[r] + difference * difference;
     }
   }

@@ -1,14 +1,14 @@
-// Nearest neighbors on a candidate grid. Included by each instruction set's file.
+// Finds nearest neighbors on a candidate grid. Included by each instruction set's file.
 //
-// The queries whose cells list candidates are looked up without a branch, whether a cell has one
-// block of them or two, and with their buckets asked for ahead.
+// Queries whose cells list candidates run without a branch, whether a cell has one block of them or
+// two, and their buckets are prefetched.
 
 #include "kernels/occupied.inl"
 
 namespace emtr::EMTR_KERNEL {
 namespace {
 
-constexpr std::size_t kTogether = 4;  // look-ups whose minima are taken at once
+constexpr std::size_t kQueriesAtOnce = 4;  // queries whose minima are taken at once
 
 /// The blocks of a cell: `first`, then `begin` to `end`.
 struct Bucket {
@@ -24,25 +24,26 @@ EMTR_INLINE const float* block_at(const GridView& g, std::uint32_t block) {
   return g.blocks + std::size_t{block} * (3 * kLanes);
 }
 
-/// Squared distances of a query to the eight candidates of a block.
+/// Returns the squared distances of a query to the eight candidates of a block.
 EMTR_INLINE Eight to_candidates(const GridView& g, std::uint32_t block, const Query& q) {
   const float* at = block_at(g, block);
-  const Eight dx = q.x - loaded<kLanes>(at);
-  const Eight dy = q.y - loaded<kLanes>(at + kLanes);
-  const Eight dz = q.z - loaded<kLanes>(at + 2 * kLanes);
+  const Eight dx = q.x - load<kLanes>(at);
+  const Eight dy = q.y - load<kLanes>(at + kLanes);
+  const Eight dz = q.z - load<kLanes>(at + 2 * kLanes);
   return (dx * dx + dy * dy) + dz * dz;
 }
 
-/// In any lane the nearest of some candidates, in one the nearest of all.
+/// Returns in each lane the nearest of some candidates; the minimum of the lanes is the nearest of
+/// all.
 EMTR_INLINE Eight nearest_in(const GridView& g, const Bucket& bucket, const Query& q) {
   const std::uint32_t second = bucket.begin < bucket.end ? bucket.begin : bucket.first;
-  Eight best = least(to_candidates(g, bucket.first, q), to_candidates(g, second, q));
+  Eight best = minimum(to_candidates(g, bucket.first, q), to_candidates(g, second, q));
   for (std::uint32_t b = bucket.begin + 1; __builtin_expect(b < bucket.end, 0); ++b)
-    best = least(best, to_candidates(g, b, q));
+    best = minimum(best, to_candidates(g, b, q));
   return best;
 }
 
-/// Where the candidates of each query found are, asked for before they are needed.
+/// Finds and prefetches the candidates of each query.
 EMTR_INLINE void find_buckets(const GridView& g, const Found& found, Bucket* buckets) {
   for (std::size_t k = 0; k < found.size; ++k) {
     buckets[k] = bucket_of(g, found.cell[k]);
@@ -52,25 +53,25 @@ EMTR_INLINE void find_buckets(const GridView& g, const Found& found, Bucket* buc
   }
 }
 
-/// out[k] = squared distance of the k-th query found, at most the limit.
-EMTR_INLINE void look_up(const GridView& g, const PointsView& q, Found& found, float* out) {
+/// Writes out[k] = squared distance of the k-th query found, at most the limit.
+EMTR_INLINE void query_squared_distances(const GridView& g, const PointsView& q, Found& found, float* out) {
   if (found.size == 0) return;
-  Bucket buckets[kBatch + kTogether];
+  Bucket buckets[kBatch + kQueriesAtOnce];
   find_buckets(g, found, buckets);
-  // The last ones are made up to a full set by looking one up again.
-  for (std::size_t k = 0; k < kTogether; ++k) {
+  // Fills the last set up by repeating a query.
+  for (std::size_t k = 0; k < kQueriesAtOnce; ++k) {
     found.query[found.size + k] = found.query[0];
     buckets[found.size + k] = buckets[0];
   }
-  for (std::size_t k = 0; k < found.size; k += kTogether) {
-    Eight best[kTogether];
-    for (std::size_t l = 0; l < kTogether; ++l)
+  for (std::size_t k = 0; k < found.size; k += kQueriesAtOnce) {
+    Eight best[kQueriesAtOnce];
+    for (std::size_t l = 0; l < kQueriesAtOnce; ++l)
       best[l] = nearest_in(g, buckets[k + l], query_at(q, found.query[k + l]));
-    store<kTogether, Floats>(out + k, least(least_of_each(best), all<kTogether>(g.cells.limit)));
+    store<kQueriesAtOnce, Floats>(out + k, minimum(minimum_of_each(best), broadcast<kQueriesAtOnce>(g.cells.limit)));
   }
 }
 
-/// The first candidate of a cell at exactly this distance, which one has.
+/// Returns the first candidate of a cell at exactly this distance; there is one.
 EMTR_INLINE std::int32_t candidate_at(const GridView& g, std::uint32_t cell, const Query& q,
                                       float squared) {
   const Bucket bucket = bucket_of(g, cell);
@@ -84,25 +85,25 @@ EMTR_INLINE std::int32_t candidate_at(const GridView& g, std::uint32_t cell, con
 
 void squared_distances(const GridView& g, const PointsView& queries, float* out) {
   Found found;
-  float squared[kBatch + kTogether];
+  float squared[kBatch + kQueriesAtOnce];
   for_each_batch(queries, [&](const PointsView& q, std::size_t first) {
     for (std::size_t i = 0; i < q.size; ++i) out[first + i] = g.cells.limit;
-    sort_out(g.cells, q, found);
-    look_up(g, q, found, squared);
+    find_occupied(g.cells, q, found);
+    query_squared_distances(g, q, found, squared);
     for (std::size_t k = 0; k < found.size; ++k) out[first + found.query[k]] = squared[k];
   });
 }
 
 void nearest(const GridView& g, const PointsView& queries, std::int32_t* candidate, float* out) {
   Found found;
-  float squared[kBatch + kTogether];
+  float squared[kBatch + kQueriesAtOnce];
   for_each_batch(queries, [&](const PointsView& q, std::size_t first) {
     for (std::size_t i = 0; i < q.size; ++i) {
       out[first + i] = g.cells.limit;
       candidate[first + i] = -1;
     }
-    sort_out(g.cells, q, found);
-    look_up(g, q, found, squared);
+    find_occupied(g.cells, q, found);
+    query_squared_distances(g, q, found, squared);
     for (std::size_t k = 0; k < found.size; ++k) {
       const std::size_t i = found.query[k];
       if (!(squared[k] < g.cells.limit)) continue;

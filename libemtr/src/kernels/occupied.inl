@@ -1,7 +1,7 @@
-// Which queries lie in cells that have points near. Included by each instruction set's file.
+// Finds the queries in cells that have points near. Included by each instruction set's file.
 //
-// Most queries of a random pose have nothing near, which the bits of the cells tell, and they are
-// few enough for the nearest cache. So a batch is sorted out first, without a branch.
+// Most queries of a random pose have nothing near. The bits of the cells tell so and fit into the
+// nearest cache, so a batch is filtered first, without a branch.
 
 #pragma once
 
@@ -16,39 +16,39 @@ namespace {
 
 constexpr std::size_t kBatch = 256;
 
-/// Those queries of a batch whose cells list candidates.
+/// The queries of a batch whose cells list candidates.
 struct Found {
   std::uint32_t query[kBatch + kWide], cell[kBatch + kWide];
   std::size_t size;
 };
 
-/// The cell of each of sixteen queries.
+/// Returns the cell of each of sixteen queries.
 EMTR_INLINE Ints<kWide> cells_of(const CellsView& g, const float* x, const float* y,
                                  const float* z) {
   const float* query[3] = {x, y, z};
   Ints<kWide> at[3];
   for (int a = 0; a < 3; ++a) {
     const Sixteen where =
-        (loaded<kWide>(query[a]) - all<kWide>(g.origin[a])) * all<kWide>(g.inverse_cell);
+        (load<kWide>(query[a]) - broadcast<kWide>(g.origin[a])) * broadcast<kWide>(g.inverse_cell);
     at[a] = truncated(
-        least(most(where, all<kWide>(0.0f)), all<kWide>(static_cast<float>(g.size[a] - 1))));
+        minimum(maximum(where, broadcast<kWide>(0.0f)), broadcast<kWide>(static_cast<float>(g.size[a] - 1))));
   }
-  return (at[2] * all<kWide>(g.size[1]) + at[1]) * all<kWide>(g.size[0]) + at[0];
+  return (at[2] * broadcast<kWide>(g.size[1]) + at[1]) * broadcast<kWide>(g.size[0]) + at[0];
 }
 
 /// Adds those of the `n` queries from `first` on, sixteen at most, whose cells are occupied.
 EMTR_INLINE void add_occupied(const CellsView& g, const Ints<kWide>& cells, std::size_t first,
                               std::size_t n, Found& found) {
 #if EMTR_REGISTER == 16
-  // Sources are given where none is needed: without, the compiler warns of its own header.
+  // Passes sources that nothing needs: without them the compiler warns of its own header.
   using Int = Register<kWide>::Int;
   const Int lane = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   const __m512i c = (__m512i)cells.v, query = (__m512i)(lane + static_cast<std::int32_t>(first));
   const __m512i occupied = _mm512_mask_i32gather_epi32(
       _mm512_setzero_si512(), 0xffff, (__m512i)(cells.v >> 5), g.groups, sizeof(CellGroup));
-  const auto asked = static_cast<__mmask16>((1u << n) - 1);
+  const auto valid = static_cast<__mmask16>((1u << n) - 1);
   const __mmask16 set =
-      _mm512_mask_test_epi32_mask(asked, occupied, (__m512i)((Int{} + 1) << (cells.v & 31)));
+      _mm512_mask_test_epi32_mask(valid, occupied, (__m512i)((Int{} + 1) << (cells.v & 31)));
   _mm512_storeu_si512(found.query + found.size, _mm512_maskz_compress_epi32(set, query));
   _mm512_storeu_si512(found.cell + found.size, _mm512_maskz_compress_epi32(set, c));
   found.size += static_cast<std::size_t>(__builtin_popcount(set));
@@ -66,7 +66,7 @@ EMTR_INLINE void add_occupied(const CellsView& g, const Ints<kWide>& cells, std:
 #endif
 }
 
-EMTR_INLINE void sort_out(const CellsView& g, const PointsView& q, Found& found) {
+EMTR_INLINE void find_occupied(const CellsView& g, const PointsView& q, Found& found) {
   found.size = 0;
   std::size_t i = 0;
   for (; i + kWide <= q.size; i += kWide)
@@ -81,7 +81,7 @@ EMTR_INLINE void sort_out(const CellsView& g, const PointsView& q, Found& found)
   add_occupied(g, cells_of(g, rest[0], rest[1], rest[2]), i, q.size - i, found);
 }
 
-/// The place of an occupied cell among all of them.
+/// Returns the place of an occupied cell among all of them.
 EMTR_INLINE std::uint32_t rank_of(const CellsView& g, std::uint32_t cell) {
   const CellGroup group = g.groups[cell / 32];
   const std::uint32_t from = group.occupied << (31 - cell % 32);  // this cell and those below
@@ -93,7 +93,7 @@ struct Query {
 };
 
 EMTR_INLINE Query query_at(const PointsView& q, std::size_t i) {
-  return {all<kLanes>(q.x[i]), all<kLanes>(q.y[i]), all<kLanes>(q.z[i])};
+  return {broadcast<kLanes>(q.x[i]), broadcast<kLanes>(q.y[i]), broadcast<kLanes>(q.z[i])};
 }
 
 /// Calls each(batch, its first query) for batch after batch.

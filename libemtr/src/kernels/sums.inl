@@ -1,4 +1,4 @@
-// Motion of points and the sums of both fitness functions. Included by each instruction set's file.
+// Transforms points and sums rho, the M-estimator. Included by each instruction set's file.
 
 #include "kernels/lanes.h"
 
@@ -9,14 +9,14 @@ void transform(const PointsView& p, const float* R, const float* t, float* x, fl
   float* out[3] = {x, y, z};
   std::size_t i = 0;
   for (; i + kWide <= p.size; i += kWide) {
-    const Sixteen px = loaded<kWide>(p.x + i);
-    const Sixteen py = loaded<kWide>(p.y + i);
-    const Sixteen pz = loaded<kWide>(p.z + i);
+    const Sixteen px = load<kWide>(p.x + i);
+    const Sixteen py = load<kWide>(p.y + i);
+    const Sixteen pz = load<kWide>(p.z + i);
     for (std::size_t a = 0; a < 3; ++a)
       store<kWide, Floats>(out[a] + i,
-                           ((all<kWide>(R[3 * a]) * px + all<kWide>(R[3 * a + 1]) * py) +
-                            all<kWide>(R[3 * a + 2]) * pz) +
-                               all<kWide>(t[a]));
+                           ((broadcast<kWide>(R[3 * a]) * px + broadcast<kWide>(R[3 * a + 1]) * py) +
+                            broadcast<kWide>(R[3 * a + 2]) * pz) +
+                               broadcast<kWide>(t[a]));
   }
   for (; i < p.size; ++i) {
     const float px = p.x[i], py = p.y[i], pz = p.z[i];

@@ -1,24 +1,25 @@
-// Nearest neighbors among the points of the voxels around. Included by each instruction set's
-// file.
+// Finds nearest neighbors among the points of the cells around a query. Included by each instruction
+// set's file.
 
 #include "kernels/occupied.inl"
 
 namespace emtr::EMTR_KERNEL {
 namespace {
 
-/// Squared distances of a query to the eight points from `at` on.
+/// Returns the squared distances of a query to the eight points from `at` on.
 EMTR_INLINE Eight to_points(const VoxelView& v, std::uint32_t at, const Query& q) {
-  const Eight dx = q.x - loaded<kLanes>(v.x + at);
-  const Eight dy = q.y - loaded<kLanes>(v.y + at);
-  const Eight dz = q.z - loaded<kLanes>(v.z + at);
+  const Eight dx = q.x - load<kLanes>(v.x + at);
+  const Eight dy = q.y - load<kLanes>(v.y + at);
+  const Eight dz = q.z - load<kLanes>(v.z + at);
   return (dx * dx + dy * dy) + dz * dz;
 }
 
-/// Ranges of starts of the queries found, which are asked for before they are needed.
+/// The ranges of starts of the queries found.
 struct Ranges {
   std::uint32_t begin[kBatch], end[kBatch];
 };
 
+/// Finds and prefetches the ranges.
 EMTR_INLINE void find_ranges(const VoxelView& v, const Found& found, Ranges& ranges) {
   for (std::size_t k = 0; k < found.size; ++k) {
     const std::uint32_t rank = rank_of(v.cells, found.cell[k]);
@@ -30,12 +31,12 @@ EMTR_INLINE void find_ranges(const VoxelView& v, const Found& found, Ranges& ran
 
 EMTR_INLINE float nearest_in(const VoxelView& v, std::uint32_t begin, std::uint32_t end,
                              const Query& q) {
-  Eight best = all<kLanes>(v.cells.limit);
-  for (std::uint32_t k = begin; k < end; ++k) best = least(best, to_points(v, v.starts[k], q));
-  return least_of(best);
+  Eight best = broadcast<kLanes>(v.cells.limit);
+  for (std::uint32_t k = begin; k < end; ++k) best = minimum(best, to_points(v, v.starts[k], q));
+  return minimum_of(best);
 }
 
-/// The smallest row of the points at exactly this distance.
+/// Returns the smallest row of the points at exactly this distance.
 EMTR_INLINE std::int32_t row_at(const VoxelView& v, std::uint32_t begin, std::uint32_t end,
                                 const Query& q, float squared) {
   std::int32_t row = INT32_MAX;
@@ -53,7 +54,7 @@ void voxel_squared_distances(const VoxelView& v, const PointsView& queries, floa
   Ranges ranges;
   for_each_batch(queries, [&](const PointsView& q, std::size_t first) {
     for (std::size_t i = 0; i < q.size; ++i) out[first + i] = v.cells.limit;
-    sort_out(v.cells, q, found);
+    find_occupied(v.cells, q, found);
     find_ranges(v, found, ranges);
     for (std::size_t k = 0; k < found.size; ++k)
       out[first + found.query[k]] =
@@ -69,7 +70,7 @@ void voxel_nearest(const VoxelView& v, const PointsView& queries, std::int32_t* 
       out[first + i] = v.cells.limit;
       index[first + i] = -1;
     }
-    sort_out(v.cells, q, found);
+    find_occupied(v.cells, q, found);
     find_ranges(v, found, ranges);
     for (std::size_t k = 0; k < found.size; ++k) {
       const std::size_t i = found.query[k];

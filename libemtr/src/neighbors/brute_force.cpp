@@ -5,7 +5,7 @@
 namespace emtr {
 namespace {
 
-/// All against all: the oracle of the others.
+/// Compares all with all: the oracle of the other structures.
 class BruteForce final : public Neighbors {
  public:
   BruteForce(const Cloud& cloud, float radius) : cloud_(cloud), limit_(radius * radius) {}

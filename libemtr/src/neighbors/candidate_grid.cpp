@@ -11,15 +11,14 @@
 namespace emtr {
 namespace {
 
-// Limits that keep a grid below 300 MB. Only a cloud of more points than kMostCandidates exceeds
+// Limits that keep a grid below 300 MB. Only a cloud of more points than kMaximumCandidates exceeds
 // the second.
-constexpr double kMostCells = 1 << 22;
-constexpr std::size_t kMostCandidates = std::size_t{1} << 24;
-constexpr double kMostVisits = 1 << 28;  // of points to cells while it is made: a second
+constexpr double kMaximumCells = 1 << 22;
+constexpr std::size_t kMaximumCandidates = std::size_t{1} << 24;
+constexpr double kMaximumVisits = 1 << 28;  // of points to cells while it is made: a second
 constexpr std::size_t kLine = 16;        // floats of a cache line
-constexpr float kFar = 1e18f;            // padding: its square is finite and beyond every radius
-/// Squared distances between boxes and points are widened by this, and boxes by margin(), so that
-/// no rounding can leave out a candidate.
+/// Widens squared distances between boxes and points, as the margin widens boxes, so that rounding
+/// leaves out no candidate.
 constexpr float kSlack = 1e-4f;
 
 /// Squared distances along one axis from a point to the nearest and the farthest place of each
@@ -33,9 +32,9 @@ class CandidateGrid final : public Neighbors {
  public:
   CandidateGrid(const Cloud& cloud, float radius, float cell, const Kernels& kernels)
       : kernels_(kernels), radius_(radius), cell_(cell) {
-    do {  // outside of the border of one radius nothing is near
+    do {  // nothing is near a query outside of the border of one radius
       const CellLayout layout =
-          make_cell_layout(cloud, radius, radius * (1 + kSlack), cell_, kMostCells);
+          make_cell_layout(cloud, radius, radius * (1 + kSlack), cell_, kMaximumCells);
       view_.cells = layout.view;
       cell_ = layout.cell;
       margin_ = layout.margin;
@@ -82,7 +81,7 @@ class CandidateGrid final : public Neighbors {
   }
 
   /// Calls visit(cell, point, nearest, farthest) for each point and each cell that it may reach,
-  /// point after point, until one call is false; whether none was.
+  /// point after point, until a call returns false. Returns whether none did.
   template <class Visit>
   bool for_each_reach(const Cloud& cloud, Visit visit) const {
     std::array<Reach, 3> r;
@@ -106,19 +105,18 @@ class CandidateGrid final : public Neighbors {
     return true;
   }
 
-  /// Lists each cell's candidates. When they are too many, makes the cells larger and returns
-  /// false.
+  /// Lists each cell's candidates. Enlarges the cells and returns false when they are too many.
   bool list(const Cloud& cloud) {
     const std::size_t cells = static_cast<std::size_t>(view_.cells.size[0]) *
                               static_cast<std::size_t>(view_.cells.size[1]) *
                               static_cast<std::size_t>(view_.cells.size[2]);
     const double visits = static_cast<double>(cloud.size()) *
                           std::pow(2.0 * static_cast<double>(radius_ / cell_) + 1, 3);
-    if (cells > 1 && visits > kMostVisits) {
+    if (cells > 1 && visits > kMaximumVisits) {
       cell_ *= 1.5f;
       return false;
     }
-    // What the nearest point can be at most, wherever in the cell the query lies.
+    // Bounds the distance to the nearest point, wherever in the cell the query lies.
     std::vector<float> bound(cells, view_.cells.limit);
     for_each_reach(cloud, [&](std::size_t c, std::size_t, float, float farthest) {
       bound[c] = std::min(bound[c], farthest);
@@ -127,12 +125,12 @@ class CandidateGrid final : public Neighbors {
     for (float& b : bound) b *= 1 + kSlack;
     std::vector<std::uint32_t> count(cells, 0);
     std::vector<Candidate> candidates;
-    const std::size_t most = cells == 1 ? cloud.size() : kMostCandidates / 2;
+    const std::size_t max_candidates = cells == 1 ? cloud.size() : kMaximumCandidates / 2;
     if (!for_each_reach(cloud, [&](std::size_t c, std::size_t n, float nearest, float) {
           if (nearest > bound[c]) return true;
           ++count[c];
           candidates.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(n)});
-          return candidates.size() <= most;
+          return candidates.size() <= max_candidates;
         })) {
       cell_ *= 1.5f;
       return false;
@@ -142,7 +140,7 @@ class CandidateGrid final : public Neighbors {
     return true;
   }
 
-  /// The first block of each occupied cell, in the order of cells, then all others.
+  /// Lays out the first block of each occupied cell, in the order of cells, then all others.
   void lay_blocks(const std::vector<std::uint32_t>& count) {
     occupied_.emplace(count.size());
     for (std::size_t c = 0; c < count.size(); ++c)
@@ -156,7 +154,7 @@ class CandidateGrid final : public Neighbors {
       blocks += (n - 1) / static_cast<std::uint32_t>(kLanes);
     }
     more_.push_back(blocks);
-    store_.assign(std::size_t{blocks} * 3 * kLanes + kLine, kFar);
+    store_.assign(std::size_t{blocks} * 3 * kLanes + kLine, kFarAway);
     const std::size_t past =
         reinterpret_cast<std::uintptr_t>(store_.data()) / sizeof(float) % kLine;
     blocks_ = store_.data() + (kLine - past) % kLine;

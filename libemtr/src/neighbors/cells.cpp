@@ -6,13 +6,13 @@
 namespace emtr {
 namespace {
 
-/// More along one axis and rounding would take too large a share of a cell.
-constexpr std::int32_t kMostAlong = 8192;
+/// With more cells along one axis, rounding would take too large a share of a cell.
+constexpr std::int32_t kMaximumAlong = 8192;
 
 }  // namespace
 
 CellLayout make_cell_layout(const Cloud& cloud, float radius, float border, float cell,
-                         double most_cells) {
+                         double max_cells) {
   CellLayout out = {};
   const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};
   float extent[3], largest = 0;
@@ -27,17 +27,17 @@ CellLayout make_cell_layout(const Cloud& cloud, float radius, float border, floa
     double cells = 1;
     along = 1;
     for (int a = 0; a < 3; ++a) {
-      const float size = std::min(std::floor(extent[a] / cell), static_cast<float>(kMostAlong));
+      const float size = std::min(std::floor(extent[a] / cell), static_cast<float>(kMaximumAlong));
       out.view.size[a] = static_cast<std::int32_t>(size) + 1;
       along = std::max(along, out.view.size[a]);
       cells *= out.view.size[a];
     }
-    if (cells <= most_cells && along <= kMostAlong) break;
+    if (cells <= max_cells && along <= kMaximumAlong) break;
   }
   out.view.inverse_cell = 1.0f / cell;
   out.view.limit = radius * radius;
   out.cell = cell;
-  // A place counted in cells is rounded to a share of itself, a coordinate to a share of its own.
+  // Rounds a position in cells to a share of itself, and a coordinate to a share of its own size.
   out.margin = 1e-4f + 1e-6f * static_cast<float>(along) + 1e-6f * largest / cell;
   return out;
 }

@@ -8,19 +8,19 @@
 
 namespace emtr {
 
-/// A regular grid around a cloud, without its groups.
+/// The layout of a regular grid around a cloud.
 struct CellLayout {
   CellsView view;
-  float cell;    ///< side, as wished or larger
-  float margin;  ///< in cells: how far rounding can put a point from its place at most
+  float cell;    ///< side, as requested or larger
+  float margin;  ///< in cells: how far rounding can move a point at most
 };
 
-/// Cells of the cloud's bounding box and of a border around it. The side grows from `cell` until
-/// there are at most `most_cells` of them.
+/// Returns the cells of the cloud's bounding box and of a border around it. Enlarges the side from
+/// `cell` until there are at most `max_cells`.
 CellLayout make_cell_layout(const Cloud& cloud, float radius, float border, float cell,
-                         double most_cells);
+                         double max_cells);
 
-/// Which cells have something: a bit each, and how many have before a group of them.
+/// A bit for each cell that is occupied, and the number of occupied cells before each group.
 class Occupancy {
  public:
   explicit Occupancy(std::size_t cells) : groups_(cells / 32 + 1, CellGroup{0, 0}) {}
@@ -28,8 +28,8 @@ class Occupancy {
   void set(std::size_t cell) { groups_[cell / 32].occupied |= std::uint32_t{1} << (cell % 32); }
   void count();  ///< after the last set()
 
-  std::size_t size() const { return size_; }  ///< cells that are set
-  /// Those set before this cell: its own place if it is set.
+  std::size_t size() const { return size_; }  ///< number of cells that are set
+  /// Returns the number of cells set before this one: its own place if it is set.
   std::size_t before(std::size_t cell) const {
     const CellGroup& group = groups_[cell / 32];
     const std::uint32_t below = group.occupied & ((std::uint32_t{1} << (cell % 32)) - 1);

@@ -6,7 +6,7 @@
 
 namespace emtr {
 
-/// pcl::KdTreeFLANN behind the interface of our own structures: the reference path.
+/// Puts pcl::KdTreeFLANN behind the interface of our own structures, as the reference.
 std::unique_ptr<Neighbors> make_kdtree(const Cloud& cloud, float radius);
 
 }  // namespace emtr

@@ -7,14 +7,14 @@
 
 namespace emtr {
 
-/// A cloud of at least one point, asked for the nearest to any place. PCL's kd-tree.
+/// Finds the point of a cloud nearest to any place, by PCL's kd-tree. The cloud has at least one.
 class NearestPoint {
  public:
   explicit NearestPoint(const Cloud& cloud);
   ~NearestPoint();
 
-  /// The row of a point that no other is nearer than, but for the rounding of floats: a share of
-  /// 1e-6 of the distance or of the cloud. Threads may ask at the same time.
+  /// Returns the row of the nearest point. Rounding of floats, a share of 1e-6 of the distance or of
+  /// the cloud, may choose another of nearly the same distance. Threads may call it concurrently.
   std::size_t operator()(const float place[3]) const;
 
  private:

@@ -8,18 +8,20 @@
 
 namespace emtr {
 
-/// The neighbors of one point as PCL's kd-tree would give them.
+/// Finds the neighbors of one point, as PCL's kd-tree would.
 class Neighborhood {
  public:
   pcl::Indices index;  ///< rows of the cloud
   std::vector<float> squared;
 
-  void look_around(const CellGrid& grid, std::size_t cell, double radius) {
+  /// Prepares for the points of one occupied cell.
+  void set_cell(const CellGrid& grid, std::size_t cell, double radius) {
     grid.around(cell, grid.reach(radius), ranges_);
     limit_ = static_cast<float>(radius * radius);
   }
 
-  /// Of sorted point i, those that `keep` admits; by distance and then by row when `ordered`.
+  /// Finds the neighbors of sorted point i that `keep` admits, sorted by distance and then by row
+  /// when `ordered`.
   template <class Keep>
   void find(const CellGrid& grid, std::size_t i, bool ordered, const Keep& keep) {
     const Cloud& p = grid.sorted;
@@ -41,7 +43,8 @@ class Neighborhood {
   }
 
  private:
-  /// Distances are not negative, so their bits are ordered as they are.
+  /// Packs both into a sortable number: the bits of distances, which are not negative, have the
+  /// order of the distances.
   static std::uint64_t key(float distance, std::int32_t row) {
     std::uint32_t bits;
     std::memcpy(&bits, &distance, sizeof bits);

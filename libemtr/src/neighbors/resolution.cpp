@@ -18,14 +18,14 @@ struct Scratch {
   NeighborList list;
 };
 
-/// The squared distance of a sorted point to the nearest other one of the list.
+/// Returns the squared distance of a sorted point to the nearest other one of the list.
 float to_nearest_other(std::uint32_t i, const CellGrid& grid, NeighborList& list,
                        const Kernels& kernels) {
   const float query[3] = {grid.sorted.x[i], grid.sorted.y[i], grid.sorted.z[i]};
   const auto itself = static_cast<std::size_t>(
       std::lower_bound(list.rows.begin(), list.rows.end(), i) - list.rows.begin());
   list.points.x[itself] = kFarAway;
-  const float squared = kernels.least_squared(list.points.view(), query);
+  const float squared = kernels.minimum_squared_distance(list.points.view(), query);
   list.points.x[itself] = query[0];
   return squared;
 }
@@ -35,14 +35,14 @@ class Tree {
   explicit Tree(const Cloud& cloud) : points_(to_pcl(cloud)) { tree_.setInputCloud(points_); }
 
   float squared_to_other(std::size_t i) {
-    look(i, 2);
+    search(i, 2);
     return squared_[1];
   }
 
-  /// 0 when all points are at one place.
+  /// Returns 0 when all points are at one place.
   float squared_to_other_place(std::size_t i) {
     for (std::size_t k = 2;; k = std::min(2 * k, points_->size())) {
-      look(i, k);
+      search(i, k);
       for (const float squared : squared_)
         if (squared > 0) return squared;
       if (k == points_->size()) return 0;
@@ -50,7 +50,7 @@ class Tree {
   }
 
  private:
-  void look(std::size_t i, std::size_t k) {
+  void search(std::size_t i, std::size_t k) {
     tree_.nearestKSearch((*points_)[i], static_cast<unsigned>(k), index_, squared_);
   }
 
@@ -70,16 +70,16 @@ double mean_resolution(const Cloud& cloud) {
   return sum / static_cast<double>(cloud.size());
 }
 
-double mean_spacing(const Cloud& cloud, std::size_t most) {
+double mean_spacing(const Cloud& cloud, std::size_t max_count) {
   Tree tree(cloud);
-  const std::size_t step = std::max<std::size_t>(1, cloud.size() / most);
+  const std::size_t step = std::max<std::size_t>(1, cloud.size() / max_count);
   double sum = 0;
-  std::size_t asked = 0;
-  for (std::size_t i = 0; i < cloud.size(); i += step, ++asked) {
-    check_cancelled_each(asked, 6);
+  std::size_t queries = 0;
+  for (std::size_t i = 0; i < cloud.size(); i += step, ++queries) {
+    check_cancelled_each(queries, 6);
     sum += std::sqrt(static_cast<double>(tree.squared_to_other_place(i)));
   }
-  return sum / static_cast<double>(asked);
+  return sum / static_cast<double>(queries);
 }
 
 double mean_resolution(const Cloud& cloud, double leaf, const Kernels& kernels, int threads) {
@@ -89,16 +89,16 @@ double mean_resolution(const Cloud& cloud, double leaf, const Kernels& kernels, 
   const auto measure = [&](std::size_t cell, std::size_t thread) {
     std::vector<CellGrid::Range>& ranges = scratch[thread].ranges;
     NeighborList& list = scratch[thread].list;
-    std::vector<std::uint32_t> left;  // points whose nearest one may be beyond the cells seen
+    std::vector<std::uint32_t> left;  // points whose nearest one may lie beyond the searched cells
     for (std::uint32_t i = grid.begin(cell); i < grid.end(cell); ++i) left.push_back(i);
     for (int reach = 1; !left.empty(); reach *= 2) {
       grid.around(cell, reach, ranges);
       list.gather(grid.sorted, ranges);
-      const double seen = reach * grid.side() * (1 - 1e-5);
+      const double searched = reach * grid.side() * (1 - 1e-5);
       const auto beyond = [&](std::uint32_t i) {
         const float nearest = to_nearest_other(i, grid, list, kernels);
         squared[static_cast<std::size_t>(grid.rows[i])] = nearest;
-        return double{nearest} > seen * seen && !grid.spans(reach);
+        return double{nearest} > searched * searched && !grid.spans(reach);
       };
       left.erase(std::remove_if(left.begin(), left.end(), std::not_fn(beyond)), left.end());
     }

@@ -8,24 +8,22 @@
 namespace emtr {
 namespace {
 
-// Cells take 17 MB at most, the rest 30 to 130 bytes a point.
-constexpr double kMostCells = 1 << 26;
-constexpr float kFar = 1e18f;  // padding: its square is finite and beyond every radius
+constexpr double kMaximumCells = 1 << 26;  // 17 MB; the rest takes 30 to 130 bytes for each point
 
-/// Points sorted by voxels as wide as the radius, so that all that is near a query lies in the 27
-/// voxels around it: nine rows of three, each one range of places. Voxels without a point in any
-/// of the 27 are not occupied; the others list where to read the ranges, eight points at a time.
+/// Points sorted by cells as wide as the radius, so that all points near a query lie in the 27 cells
+/// around it: nine rows of three, each one range of places. A cell without a point in any of the 27
+/// is not occupied; the others list where to read the ranges, eight points at a time.
 class VoxelCells final : public Neighbors {
  public:
   VoxelCells(const Cloud& cloud, float radius, const Kernels& kernels) : kernels_(kernels) {
     float side = radius * (1 + 1e-3f);
     for (;;) {
-      const CellLayout layout = make_cell_layout(cloud, radius, side * 1.01f, side, kMostCells);
+      const CellLayout layout = make_cell_layout(cloud, radius, side * 1.01f, side, kMaximumCells);
       view_.cells = layout.view;
       // Two points closer than the radius must be in the same or in touching cells.
-      const float least = radius * (1 + 4 * layout.margin);
-      if (layout.cell >= least && side >= layout.cell) break;
-      side = std::max(layout.cell, least * (1 + 1e-3f));
+      const float minimum = radius * (1 + 4 * layout.margin);
+      if (layout.cell >= minimum && side >= layout.cell) break;
+      side = std::max(layout.cell, minimum * (1 + 1e-3f));
     }
     Occupancy points(cell_count());
     const std::vector<std::uint32_t> begin = sort(cloud, points);
@@ -62,7 +60,7 @@ class VoxelCells final : public Neighbors {
     return (at[2] * along(1) + at[1]) * along(0) + at[0];
   }
 
-  /// Places the points voxel by voxel, in each by row; returns where each voxel begins.
+  /// Sorts the points by cell and then by row; returns where each cell begins.
   std::vector<std::uint32_t> sort(const Cloud& cloud, Occupancy& points) {
     const std::size_t n = cloud.size();
     std::vector<std::uint32_t> cell(n);
@@ -78,15 +76,12 @@ class VoxelCells final : public Neighbors {
       ++begin[c + 2];
     }
     for (std::size_t k = 2; k < begin.size(); ++k) begin[k] += begin[k - 1];
-    for (auto* axis : {&sorted_.x, &sorted_.y, &sorted_.z}) axis->assign(n + kLanes, kFar);
-    index_.assign(n + kLanes, -1);
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::uint32_t place = begin[cell[i] + 1]++;
-      sorted_.x[place] = cloud.x[i];
-      sorted_.y[place] = cloud.y[i];
-      sorted_.z[place] = cloud.z[i];
-      index_[place] = static_cast<std::int32_t>(i);
-    }
+    index_.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      index_[begin[cell[i] + 1]++] = static_cast<std::int32_t>(i);
+    sorted_ = cloud.select(index_);
+    for (auto* axis : {&sorted_.x, &sorted_.y, &sorted_.z}) axis->resize(n + kLanes, kFarAway);
+    index_.resize(n + kLanes, -1);
     begin.pop_back();
     return begin;
   }
@@ -132,8 +127,8 @@ class VoxelCells final : public Neighbors {
 
   const Kernels& kernels_;
   VoxelView view_{};
-  Occupancy occupied_{0};              // voxels with a point in one of the 27 around
-  std::vector<std::uint32_t> begin_;   // of each of those its starts, and one past the last
+  Occupancy occupied_{0};              // cells with a point in one of the 27 around
+  std::vector<std::uint32_t> begin_;   // where the starts of each of those begin, and one past the last
   std::vector<std::uint32_t> starts_;  // places where eight points are read
   Cloud sorted_;                       // the points in their places, and padding
   std::vector<std::int32_t> index_;    // their rows in the cloud

@@ -1,4 +1,4 @@
-/* The instantiations of pcl::EMTRSSCRegistration that are compiled into libpcl_emtr. */
+/* Instantiates pcl::EMTRSSCRegistration for libpcl_emtr. */
 #define EMTR_SSC_CPP_
 #include <pcl/registration/emtr_ssc.h>
 

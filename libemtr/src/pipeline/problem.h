@@ -1,18 +1,19 @@
 #pragma once
 
-#include <atomic>
-#include <functional>
 #include <memory>
+#include <vector>
 
 #include "candidates/surface_pair.h"
-#include "evolution/engine.h"
-#include "features/fpfh.h"
 #include "correspondences/matching.h"
 #include "correspondences/tims.h"
-#include "preprocessing/downsampling.h"
 #include "correspondences/user_keypoints.h"
+#include "evolution/knowledge_complement.h"
+#include "features/fpfh.h"
+#include "kernels/kernels.h"
+#include "pipeline/input_cloud.h"
+#include "pipeline/stage_seconds.h"
+#include "preprocessing/downsampling.h"
 #include "priors/prior.h"
-#include "pipeline/result.h"
 #include "seeds/seeds.h"
 #include "tasks/task_alpha.h"
 #include "tasks/task_beta.h"
@@ -20,73 +21,49 @@
 
 namespace emtr {
 
-/// With all its points, when the correspondences of the settings will ask for them.
-emtr_cloud kept(emtr_cloud cloud, const Settings& given);
+/// A pair of clouds on which poses can be searched. Holds the results of the stages before the
+/// search, in their order. Members refer to each other, so a problem stays where it was made.
+struct Problem {
+  Problem() = default;
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
 
-/// The walk of the data from two clouds to two tasks, every stage's output kept, and on to a
-/// result. Stages run in the order of the members.
-class Problem {
- public:
-  using Normalize = std::function<NormalizedPair()>;
+  Settings settings{};                        ///< without the user's correspondences
+  const Kernels& kernels = select_kernels();  ///< the inner loops in use
 
-  /// Throws Error on bad clouds or settings. The watch may stop it; then stopped() holds and only
-  /// solve() may be called, whose result says so.
-  Problem(const Normalize& normalized, const Settings& settings, CancellationToken& watch);
-  /// Of clouds as they are, without a time limit.
-  Problem(const emtr_cloud& source, const emtr_cloud& target, const Settings& settings,
-          const OnProgress& on_progress);
-  /// The same bits, from clouds that were prepared before.
-  Problem(const PreprocessedCloudPtr& source, const PreprocessedCloudPtr& target, const Settings& settings,
-          const OnProgress& on_progress);
-
-  bool stopped() const { return stopped_; }
-
-  /// Evolution and verdict. Does not change the problem, so it can be repeated.
-  std::unique_ptr<Result> solve(CancellationToken& watch) const;
-  /// Within the settings' time limit.
-  std::unique_ptr<Result> solve(const OnProgress& on_progress) const;
-
-  const Settings settings;
-  const Kernels& kernels;  ///< the inner loops in use
-  std::size_t dropped_source = 0, dropped_target = 0, points_source = 0, points_target = 0;
   NormalizedPair pair;
-  const Normalization& normalization = pair.normalization;
   PriorPtr prior;  ///< null when every pose is admissible
+
   DownsampledClouds downsampled;
-  Features source_features, target_features;  ///< of the dense clouds; no descriptors with `handed`
-  std::unique_ptr<FeatureClouds> handed;      ///< null when the dense clouds are matched
-  const Cloud& matched_source() const {
-    return handed ? handed->source.points : downsampled.source_dense;
-  }
-  const Cloud& matched_target() const {
-    return handed ? handed->target.points : downsampled.target_dense;
-  }
+
+  Features source_features, target_features;      ///< of the dense clouds
+  std::unique_ptr<KeypointPair> user_keypoints;  ///< null when the dense clouds are matched
+
   std::vector<Correspondence> correspondences;  ///< rows of matched_source(), matched_target()
-  std::size_t correspondences_found = 0;        ///< of which the best are kept
-  std::vector<Seed> seeds;
+  std::size_t correspondences_found = 0;        ///< before the best of them were kept
   double tau = 0;
   Tims tims;
   std::unique_ptr<TaskAlpha> alpha;
   std::unique_ptr<TaskBeta> beta;
   std::unique_ptr<KnowledgeComplement> complement;
-  std::unique_ptr<SurfacePair> surfaces;     ///< null when the settings ask for no candidates
-  std::atomic<std::uint64_t> queries{0};  ///< of calls from outside, stage by stage
+  std::unique_ptr<SurfacePair> surfaces;  ///< null when the settings ask for no candidates
 
- private:
-  void make(const Normalize& normalized, const Settings& given, CancellationToken& watch);
-  void prepare(const Normalize& normalized, const Settings& given, CancellationToken& watch);
-  void load_user_input(const Settings& given);
-  void describe_dense();
-  void match_features();
-  void make_tasks();
-  void make_surfaces();
-  void find_seeds();
+  std::vector<Seed> seeds;
 
-  friend class Registration;
-  bool stopped_ = false;
-  struct {
-    double normalization = 0, downsampled = 0, features = 0, matching = 0, seeds = 0;
-  } seconds_;
+  StageSeconds seconds;
+  bool stopped = false;  ///< the run ended in one of these stages, and the later ones are empty
+
+  const Cloud& matched_source() const {
+    return user_keypoints ? user_keypoints->source.points : downsampled.source_dense;
+  }
+  const Cloud& matched_target() const {
+    return user_keypoints ? user_keypoints->target.points : downsampled.target_dense;
+  }
 };
+
+/// Makes a problem of two clouds. Keeps nothing of the user's memory. Throws Error on bad clouds or
+/// settings. The token may stop it; then the problem is `stopped`, and solve() says so.
+std::unique_ptr<const Problem> make_problem(InputCloud& source, InputCloud& target,
+                                            const Settings& settings, CancellationToken& token);
 
 }  // namespace emtr

@@ -6,11 +6,11 @@
 
 namespace emtr {
 
-/// An emtr_result together with the memory that its pointers refer to.
+/// An emtr_result and the memory that its pointers refer to.
 struct Result : emtr_result {
   Result() : emtr_result{} { size = sizeof(emtr_result); }
-  std::vector<double> alpha, beta;       ///< what history_alpha and history_beta point to
-  std::vector<emtr_alternative> others;  ///< what alternatives points to
+  std::vector<double> alpha, beta;       ///< the memory of history_alpha and history_beta
+  std::vector<emtr_alternative> others;  ///< the memory of alternatives
 };
 
 }  // namespace emtr

@@ -8,11 +8,11 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kMost = 1u << 20;  // above it the leaf is doubled
+constexpr std::size_t kMaximumCount = 1u << 20;  // for more points the leaf doubles
 
 }  // namespace
 
-BasePoints all_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
+BasePoints read_all_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
                       int threads) {
   std::vector<std::size_t> first(reader.blocks());
   std::size_t count = 0;
@@ -39,12 +39,12 @@ BasePoints all_points(const CloudReader& reader, const NormalReader* normals, co
   return out;
 }
 
-BasePoints base_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
+BasePoints read_base_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
                        int threads) {
-  if (extent.count <= kThinnedAbove) return all_points(reader, normals, extent, threads);
+  if (extent.count <= kDownsampledAbove) return read_all_points(reader, normals, extent, threads);
   float leaf = kBaseLeaf;
   BasePoints out = voxel_grid_by_slabs(reader, normals, extent, leaf, threads);
-  while (out.points.size() > kMost) {
+  while (out.points.size() > kMaximumCount) {
     leaf *= 2;
     if (normals) out.normals = mean_normals(out.points, out.normals, leaf);
     out.points = voxel_grid(out.points, leaf);

@@ -6,25 +6,25 @@
 
 namespace emtr {
 
-/// A cloud of more points than this is thinned before anything else is done with it.
-constexpr std::size_t kThinnedAbove = 200000;
-constexpr float kBaseLeaf = 0.004f;  ///< radii; some tenth of the dense leaf
+/// A cloud of more points than this is downsampled before anything else is done with it.
+constexpr std::size_t kDownsampledAbove = 200000;
+constexpr float kBaseLeaf = 0.004f;  ///< radii; about a tenth of the dense leaf
 
-/// The caller's normals, of any length; null when there are none.
+/// Reads the user's normals, of any length; null when there are none.
 using NormalReader = CloudReader;
 
 struct BasePoints {
   Cloud points;
-  Cloud normals;  ///< of unit length, one a point, NaN where there is none; empty without any
+  Cloud normals;  ///< one for each point, unit length, NaN where there is none; or empty
 };
 
-/// All finite points in the unit ball about their centroid, in order.
-BasePoints all_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
-                      int threads);
+/// Returns all finite points, in order, in the unit ball about their centroid.
+BasePoints read_all_points(const CloudReader& reader, const NormalReader* normals,
+                           const Extent& extent, int threads);
 
-/// All of them or, of a large cloud, what pcl::VoxelGrid leaves of them at a leaf that keeps at
-/// most about a million, with the mean normals of its cubes.
-BasePoints base_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
-                       int threads);
+/// Returns all finite points of a small cloud, and the centroids of the voxels of a large one, with
+/// their mean normals. The leaf grows until at most about a million are left.
+BasePoints read_base_points(const CloudReader& reader, const NormalReader* normals,
+                            const Extent& extent, int threads);
 
 }  // namespace emtr

@@ -6,16 +6,16 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 #include <string>
 
+#include "util/constants.h"
 #include "util/enum_number.h"
 #include "util/error.h"
 
 namespace emtr {
 
-/// The caller's memory, read where it is, block by block: sums over a cloud are made block by
-/// block and added in order, so that they do not depend on who makes which block.
+/// Reads the user's memory where it is, block by block. Sums over a cloud are made for each block
+/// and added in order, so that they do not depend on which thread makes which block.
 class CloudReader {
  public:
   static constexpr std::size_t kBlock = 65536;  ///< a place in a block fits into 16 bits
@@ -39,8 +39,8 @@ class CloudReader {
   std::size_t count() const { return count_; }
   std::size_t blocks() const { return (count_ + kBlock - 1) / kBlock; }
 
-  /// visit(i, p) for each finite point of a block in order: its place in the block and its
-  /// coordinates, a const double[3].
+  /// Calls visit(i, p) for each finite point of a block, in order, with its place in the block and
+  /// its coordinates, a const double[3].
   template <class Visit>
   void each_finite(std::size_t block, const Visit& visit) const {
     const std::size_t n = std::min(kBlock, count_ - block * kBlock);
@@ -53,26 +53,27 @@ class CloudReader {
     single_ ? all(float{}) : all(double{});
   }
 
-  /// Reads one point; false when it is not finite.
+  /// Reads one point; returns false when it is not finite.
   bool read(std::size_t index, double p[3]) const {
     return single_ ? read<float>(index, p) : read<double>(index, p);
   }
 
-  /// Reads a point as a direction, made of unit length; NaN when it is not finite or has no length.
+  /// Reads a direction and makes it of unit length; writes NaN when it is not finite or has no
+  /// length.
   void read_direction(std::size_t index, float n[3]) const {
     double v[3];
     const bool finite = read(index, v);
     const double length = std::hypot(v[0], v[1], v[2]);
     for (int k = 0; k < 3; ++k)
       n[k] = finite && length > 0 ? static_cast<float>(v[k] / length)
-                                  : std::numeric_limits<float>::quiet_NaN();
+                                  : kNone;
   }
 
  private:
   template <class Scalar>
   bool read(std::size_t index, double p[3]) const {
     Scalar raw[3];
-    std::memcpy(raw, first_ + index * stride_, sizeof raw);  // the caller may not have aligned it
+    std::memcpy(raw, first_ + index * stride_, sizeof raw);  // the user may not have aligned it
     std::copy_n(raw, 3, p);
     return std::isfinite(raw[0]) && std::isfinite(raw[1]) && std::isfinite(raw[2]);
   }

@@ -16,13 +16,14 @@ namespace {
 
 constexpr double kFinestLeaf = 2e-3, kCoarsestLeaf = 1.0;
 
-/// The leaf whose count of points comes nearest to `wanted`, between two bounds, from a first
-/// guess. The count falls with the leaf but for jitter, so the best leaf met on the way is kept.
+/// Returns the leaf between `finest` and kCoarsestLeaf whose count of points is nearest to `wanted`,
+/// from a first guess. The count falls with the leaf but for jitter, so it keeps the best leaf that
+/// it met.
 double find_leaf(const std::function<std::size_t(float)>& count, double wanted, double finest,
                  double guess) {
   double low = std::log(finest), high = std::log(kCoarsestLeaf);
   double x = std::clamp(std::log(guess), low, high);
-  double slope = -2;  // of log count over log leaf: what a surface has
+  double slope = -2;  // of log count over log leaf, as for a surface
   double best = finest, best_error = HUGE_VAL, last_x = 0, last_y = 0;
   bool finest_is_too_fine = false;
   for (int step = 0; step < 24; ++step) {
@@ -34,7 +35,7 @@ double find_leaf(const std::function<std::size_t(float)>& count, double wanted, 
       best = std::exp(x);
     }
     if (error <= 0.005 * wanted) break;
-    if (n < wanted && x == low && !finest_is_too_fine) break;  // finer is not to be had
+    if (n < wanted && x == low && !finest_is_too_fine) break;  // no finer leaf is allowed
     finest_is_too_fine |= n > wanted;
     (n > wanted ? low : high) = x;
     const double secant = step ? (y - last_y) / (x - last_x) : slope;
@@ -50,8 +51,9 @@ double find_leaf(const std::function<std::size_t(float)>& count, double wanted, 
   return best;
 }
 
-/// Below 1.5 point spacings or so a voxel holds single points, and neither thinning nor the
-/// neighborhoods of normals and features work. Matters only for clouds of few points.
+/// Returns the finest useful leaf. Below about 1.5 point spacings a voxel holds single points, and
+/// neither downsampling nor the neighborhoods of normals and features work. This matters only for
+/// clouds of few points.
 double finest_leaf(const NormalizedPair& pair, const Settings& settings) {
   const auto points = pair.source.size() + pair.target.size();
   if (points > 4 * static_cast<std::size_t>(settings.dense_points)) return kFinestLeaf;
@@ -62,36 +64,35 @@ double finest_leaf(const NormalizedPair& pair, const Settings& settings) {
   return std::clamp(settings.minimum_leaf_spacing * wider, kFinestLeaf, kCoarsestLeaf / 2);
 }
 
-/// One leaf serves both clouds, so a cloud much smaller than the other can vanish in a few voxels.
-void require_some_left(const Cloud& cloud, const char* name, double leaf, double scale) {
-  constexpr std::size_t least = 10;  // a mere dot at the origin already fills 8 voxels
-  if (cloud.size() >= least) return;
+/// Throws Error when too few points are left: one leaf serves both clouds, so a cloud much smaller
+/// than the other can vanish in a few voxels.
+void require_enough_points(const Cloud& cloud, const char* name, double leaf, double scale) {
+  constexpr std::size_t minimum = 10;  // a mere dot at the origin already fills 8 voxels
+  if (cloud.size() >= minimum) return;
   throw Error(EMTR_ERROR_CLOUD,
-              std::string(name) + " cloud: thinned to " + std::to_string(cloud.size()) +
+              std::string(name) + " cloud: downsampled to " + std::to_string(cloud.size()) +
                   " points at the leaf that serves both clouds (" + std::to_string(leaf * scale) +
-                  " in your unit), expected at least " + std::to_string(least) +
+                  " in your unit), expected at least " + std::to_string(minimum) +
                   ": it has too few points, or is too small beside the other");
 }
 
-/// One leaf for both clouds, and their voxel counts, which both densities ask for.
-class Thinning {
+/// Downsamples both clouds by one leaf; counts their voxels for the sparse and the dense pair.
+class Downsampler {
  public:
-  Thinning(const NormalizedPair& pair, const Settings& settings)
+  Downsampler(const NormalizedPair& pair, const Settings& settings)
       : pair_(pair),
         settings_(settings),
-        // Both clouds are filtered at once where that is worth waking a thread for.
-        threads_(pair.source.size() + pair.target.size() > 200000
-                     ? std::min(2, thread_count(settings))
-                     : 1),
+        // Filters both clouds at once where that is worth waking a thread for.
+        threads_(pair.source.size() + pair.target.size() > 200000 ? thread_count(settings) : 1),
         counters_{VoxelCounter(pair.source), VoxelCounter(pair.target)} {}
 
   void dense(DownsampledClouds& out) {
-    // Two half balls of radius 1 have a surface of some 10.
+    // Two half balls of radius 1 have a surface of about 10.
     check_cancelled();
     const auto count = [&](float leaf) { return counters_[0](leaf) + counters_[1](leaf); };
     out.leaf_dense = find_leaf(count, settings_.dense_points, finest_leaf(pair_, settings_),
                                std::sqrt(10.0 / settings_.dense_points));
-    thin_both(out.leaf_dense, out.source_dense, out.target_dense);
+    downsample_both(out.leaf_dense, out.source_dense, out.target_dense);
 
     const auto mean_of = [&](const Cloud& cloud, const Cloud& normals) {
       return normals.size() ? mean_normals(cloud, normals, static_cast<float>(out.leaf_dense))
@@ -100,8 +101,8 @@ class Thinning {
     out.source_normals = mean_of(pair_.source, pair_.preprocessed_source->normals);
     out.target_normals = mean_of(pair_.target, pair_.preprocessed_target->normals);
 
-    require_some_left(out.source_dense, "source", out.leaf_dense, pair_.normalization.scale);
-    require_some_left(out.target_dense, "target", out.leaf_dense, pair_.normalization.scale);
+    require_enough_points(out.source_dense, "source", out.leaf_dense, pair_.normalization.scale);
+    require_enough_points(out.target_dense, "target", out.leaf_dense, pair_.normalization.scale);
   }
 
   void sparse(DownsampledClouds& out) {
@@ -112,15 +113,15 @@ class Thinning {
     const double source_dense = static_cast<double>(out.source_dense.size());
     out.leaf_sparse = find_leaf([&](float leaf) { return counters_[0](leaf); }, wanted,
                                 out.leaf_dense, out.leaf_dense * std::sqrt(source_dense / wanted));
-    thin_both(out.leaf_sparse, out.source_sparse, out.target_sparse);
+    downsample_both(out.leaf_sparse, out.source_sparse, out.target_sparse);
   }
 
  private:
-  void thin_both(double leaf, Cloud& source, Cloud& target) const {
+  void downsample_both(double leaf, Cloud& source, Cloud& target) const {
     const Cloud* const clouds[2] = {&pair_.source, &pair_.target};
-    Cloud* const thinned[2] = {&source, &target};
+    Cloud* const outputs[2] = {&source, &target};
     parallel_for(2, threads_, [&](std::size_t i) {
-      *thinned[i] = voxel_grid(*clouds[i], static_cast<float>(leaf));
+      *outputs[i] = voxel_grid(*clouds[i], static_cast<float>(leaf));
     });
   }
 
@@ -134,15 +135,15 @@ class Thinning {
 
 DownsampledClouds downsample(const NormalizedPair& pair, const Settings& settings) {
   DownsampledClouds out;
-  Thinning thinning(pair, settings);
-  thinning.dense(out);
-  thinning.sparse(out);
+  Downsampler downsampler(pair, settings);
+  downsampler.dense(out);
+  downsampler.sparse(out);
   return out;
 }
 
 DownsampledClouds downsample_dense(const NormalizedPair& pair, const Settings& settings) {
   DownsampledClouds out;
-  Thinning(pair, settings).dense(out);
+  Downsampler(pair, settings).dense(out);
   return out;
 }
 

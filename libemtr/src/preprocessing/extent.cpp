@@ -11,7 +11,7 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kLeastPoints = 10;
+constexpr std::size_t kMinimumPoints = 10;
 
 void refuse_equal(const std::string& name) {
   throw Error(EMTR_ERROR_CLOUD, name + ": all points are equal, expected a radius above 1e-150");
@@ -31,10 +31,10 @@ Eigen::Vector3d first_finite(const CloudReader& reader) {
 struct Sum {
   std::size_t count = 0;
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // from the first finite point
-  double farthest = 0;                               // of any coordinate from that point
+  double farthest = 0;  // largest difference of any coordinate
 };
 
-/// About the first finite point, so that sums of large coordinates keep their digits.
+/// Sums relative to the first finite point, so that large coordinates keep their digits.
 Sum sum_about(const Eigen::Vector3d& first, const CloudReader& reader, int threads,
               std::vector<std::size_t>& finite) {
   std::vector<Sum> sums(reader.blocks());
@@ -59,64 +59,64 @@ Sum sum_about(const Eigen::Vector3d& first, const CloudReader& reader, int threa
   return total;
 }
 
-struct Spread {
+struct Dispersion {
   double squared_radius = 0;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
-/// About the centroid, in a unit in which nothing overflows.
-Spread spread_about(const Eigen::Vector3d& center, double unit, const CloudReader& reader,
+/// Measures the dispersion about the centroid, in a unit in which nothing overflows.
+Dispersion dispersion_about(const Eigen::Vector3d& center, double unit, const CloudReader& reader,
                     int threads) {
   const double inverse = 1 / unit;
-  std::vector<Spread> spreads(reader.blocks());
-  parallel_for(spreads.size(), threads, [&](std::size_t block) {
-    Spread spread;
+  std::vector<Dispersion> parts(reader.blocks());
+  parallel_for(parts.size(), threads, [&](std::size_t block) {
+    Dispersion part;
     reader.each_finite(block, [&](std::size_t, const double* p) {
       const Eigen::Vector3d u = (Eigen::Vector3d::Map(p) - center) * inverse;
-      spread.squared_radius = std::max(spread.squared_radius, u.squaredNorm());
-      spread.covariance += u * u.transpose();
+      part.squared_radius = std::max(part.squared_radius, u.squaredNorm());
+      part.covariance += u * u.transpose();
     });
-    spreads[block] = spread;
+    parts[block] = part;
   });
-  Spread total;
-  for (const Spread& spread : spreads) {
-    total.squared_radius = std::max(total.squared_radius, spread.squared_radius);
-    total.covariance += spread.covariance;
+  Dispersion total;
+  for (const Dispersion& part : parts) {
+    total.squared_radius = std::max(total.squared_radius, part.squared_radius);
+    total.covariance += part.covariance;
   }
   return total;
 }
 
 }  // namespace
 
-Extent measure(const CloudReader& reader, const std::string& name, int threads) {
+Extent measure_extent(const CloudReader& reader, const std::string& name, int threads) {
   Extent extent;
   const Eigen::Vector3d first = first_finite(reader);
   const Sum sum = sum_about(first, reader, threads, extent.finite);
   extent.count = sum.count;
-  if (sum.count < kLeastPoints)
+  if (sum.count < kMinimumPoints)
     throw Error(EMTR_ERROR_CLOUD, name + ": " + std::to_string(sum.count) + " finite points of " +
                                       std::to_string(reader.count()) + ", expected at least " +
-                                      std::to_string(kLeastPoints));
+                                      std::to_string(kMinimumPoints));
   const Eigen::Vector3d center = first + sum.offset / static_cast<double>(sum.count);
   if (!center.allFinite() || !std::isfinite(sum.farthest)) refuse_large(name);
   if (sum.farthest < 1e-151) refuse_equal(name);
 
   // A power of two, so that scaling by it costs no digits.
   const double unit = std::ldexp(1.0, std::ilogb(sum.farthest));
-  const Spread spread = spread_about(center, unit, reader, threads);
-  const double radius = unit * std::sqrt(spread.squared_radius);
+  const Dispersion dispersion = dispersion_about(center, unit, reader, threads);
+  const double radius = unit * std::sqrt(dispersion.squared_radius);
   if (!std::isfinite(radius * radius)) refuse_large(name);
   // Rounding of large equal coordinates leaves a radius of a few units in their last place.
   if (!(radius > 1e-14 * center.cwiseAbs().maxCoeff()) || radius < 1e-150) refuse_equal(name);
 
   const Eigen::Vector3d variance =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread.covariance).eigenvalues();
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(dispersion.covariance).eigenvalues();
   if (variance[1] <= 1e-12 * variance[2])
     throw Error(EMTR_ERROR_CLOUD, name + ": all points lie on one line, expected a surface");
 
   Eigen::Vector3d::Map(extent.center) = center;
   extent.radius = radius;
-  spread.covariance.diagonal().maxCoeff(&extent.longest);
+  dispersion.covariance.diagonal().maxCoeff(&extent.longest);
   return extent;
 }
 

@@ -8,10 +8,10 @@
 
 namespace emtr {
 
-/// Where a cloud lies and how far it reaches, the user's unit.
+/// Where a cloud lies and how far it reaches, in the user's unit.
 struct Extent {
   std::vector<std::size_t> finite;  ///< points of each block of the reader
-  std::size_t count = 0;            ///< of them in all
+  std::size_t count = 0;            ///< of all finite points
   double center[3] = {};            ///< centroid
   double radius = 0;                ///< largest distance from it
   int longest = 0;                  ///< the axis along which the cloud varies most
@@ -22,8 +22,8 @@ struct Extent {
   }
 };
 
-/// Two passes, in double. Throws Error, naming the cloud, when it has fewer than 10 finite points,
-/// all of them on one point or one line, or coordinates too large to square.
-Extent measure(const CloudReader& reader, const std::string& name, int threads);
+/// Measures a cloud in two passes, in double. Throws Error, naming the cloud, when it has fewer than
+/// 10 finite points, all of them on one point or one line, or coordinates too large to square.
+Extent measure_extent(const CloudReader& reader, const std::string& name, int threads);
 
 }  // namespace emtr

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "voxels/voxel_order.h"
 #include "util/cancellation.h"
@@ -11,12 +12,12 @@ namespace emtr {
 namespace {
 
 constexpr std::size_t kLargestDimension = 65536;
-constexpr int kPollShift = 8;  // so many of the largest are read in some 10 ms
+constexpr int kPollShift = 8;  // 256 descriptors of the largest dimension take about 10 ms
 
-/// The caller's descriptors, read where they are.
-class FeatureReader {
+/// Reads the user's descriptors where they are.
+class DescriptorReader {
  public:
-  FeatureReader(const emtr_cloud& cloud, const std::string& name)
+  DescriptorReader(const emtr_cloud& cloud, const std::string& name)
       : first_(reinterpret_cast<const char*>(cloud.features)), dimension_(cloud.feature_dimension) {
     const auto refuse = [&](const std::string& what) {
       throw Error(EMTR_ERROR_ARGUMENT, name + ": " + what);
@@ -34,7 +35,7 @@ class FeatureReader {
     stride_ = cloud.feature_stride ? cloud.feature_stride : packed;
   }
 
-  /// Reads one; false when it is not finite.
+  /// Reads one descriptor; returns false when it is not finite.
   bool read(std::size_t index, float* out) const {
     std::memcpy(out, first_ + index * stride_, dimension_ * sizeof(float));
     for (std::size_t d = 0; d < dimension_; ++d)
@@ -47,63 +48,55 @@ class FeatureReader {
   std::size_t dimension_, stride_ = 0;
 };
 
-/// The places of those to keep, ascending.
-template <class Value>
-void keep(std::vector<Value>& values, const std::vector<std::uint32_t>& places) {
-  for (std::size_t k = 0; k < places.size(); ++k) values[k] = values[places[k]];
-  values.resize(places.size());
-}
-
-void keep(Cloud& cloud, const std::vector<std::uint32_t>& places) {
-  for (auto* axis : {&cloud.x, &cloud.y, &cloud.z}) keep(*axis, places);
+/// Keeps the points of these places and their rows; leaves the descriptors alone.
+void select_points(Keypoints& keypoints, const std::vector<std::uint32_t>& places) {
+  keypoints.points = keypoints.points.select(places);
+  std::vector<std::int32_t> rows;
+  rows.reserve(places.size());
+  for (const std::uint32_t place : places) rows.push_back(keypoints.rows[place]);
+  keypoints.rows = std::move(rows);
 }
 
 }  // namespace
 
-Keypoints keypoints(const emtr_cloud& cloud, const CloudReader& reader,
-                                 const Extent& extent, const std::string& name) {
+Keypoints read_keypoints(const emtr_cloud& cloud, const CloudReader& reader, const Extent& extent,
+                         const std::string& name) {
   Keypoints out;
   if (!cloud.features && !cloud.feature_dimension) return out;
-  const FeatureReader features(cloud, name);
+  const DescriptorReader descriptors(cloud, name);
   out.dimension = cloud.feature_dimension;
   std::vector<float> descriptor(out.dimension);
   for (std::size_t block = 0; block < reader.blocks(); ++block)
     reader.each_finite(block, [&](std::size_t i, const double* p) {
       check_cancelled_each(i, kPollShift);
       const std::size_t row = block * CloudReader::kBlock + i;
-      if (!features.read(row, descriptor.data())) return;
+      if (!descriptors.read(row, descriptor.data())) return;
       float q[3];
       extent.to_unit_ball(p, q);
-      out.points.x.push_back(q[0]);
-      out.points.y.push_back(q[1]);
-      out.points.z.push_back(q[2]);
+      out.points.append(q[0], q[1], q[2]);
       out.rows.push_back(static_cast<std::int32_t>(row));
     });
   if (out.rows.empty())
     throw Error(EMTR_ERROR_ARGUMENT,
                 name + ": features are given, but no finite point has one that is finite");
-  if (out.rows.size() > kThinnedAbove) {
-    const auto kept = one_row_per_voxel(out.points, kBaseLeaf);
-    keep(out.points, kept);
-    keep(out.rows, kept);
-  }
+  if (out.rows.size() > kDownsampledAbove)
+    select_points(out, one_row_per_voxel(out.points, kBaseLeaf));
   out.descriptors.resize(out.rows.size() * out.dimension);
   for (std::size_t k = 0; k < out.rows.size(); ++k) {
     check_cancelled_each(k, kPollShift);
-    features.read(static_cast<std::size_t>(out.rows[k]), &out.descriptors[k * out.dimension]);
+    descriptors.read(static_cast<std::size_t>(out.rows[k]), &out.descriptors[k * out.dimension]);
   }
   return out;
 }
 
-Keypoints thinned(const Keypoints& described, float leaf) {
-  Keypoints out = described;
-  const auto kept = one_row_per_voxel(described.points, leaf);
-  keep(out.points, kept);
-  keep(out.rows, kept);
-  for (std::size_t k = 0; k < kept.size(); ++k)
-    std::copy_n(&described.descriptors[kept[k] * out.dimension], out.dimension,
+Keypoints downsample(const Keypoints& keypoints, float leaf) {
+  Keypoints out = keypoints;
+  const std::vector<std::uint32_t> places = one_row_per_voxel(keypoints.points, leaf);
+  select_points(out, places);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    std::copy_n(&keypoints.descriptors[places[k] * out.dimension], out.dimension,
                 &out.descriptors[k * out.dimension]);
-  out.descriptors.resize(kept.size() * out.dimension);
+  out.descriptors.resize(places.size() * out.dimension);
   return out;
 }
 

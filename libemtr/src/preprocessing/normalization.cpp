@@ -7,7 +7,7 @@
 
 namespace emtr {
 
-Cloud scaled(const Cloud& cloud, double factor) {
+Cloud scale_cloud(const Cloud& cloud, double factor) {
   Cloud out = cloud;
   if (factor == 1) return out;
   for (auto* axis : {&out.x, &out.y, &out.z})
@@ -20,8 +20,8 @@ NormalizedPair normalize(PreprocessedCloudPtr source, PreprocessedCloudPtr targe
   pair.normalization.scale = std::max(source->radius, target->radius);
   std::copy_n(source->center, 3, pair.normalization.center_source);
   std::copy_n(target->center, 3, pair.normalization.center_target);
-  pair.source = scaled(source->base, source->radius / pair.normalization.scale);
-  pair.target = scaled(target->base, target->radius / pair.normalization.scale);
+  pair.source = scale_cloud(source->base, source->radius / pair.normalization.scale);
+  pair.target = scale_cloud(target->base, target->radius / pair.normalization.scale);
   pair.preprocessed_source = std::move(source);
   pair.preprocessed_target = std::move(target);
   return pair;

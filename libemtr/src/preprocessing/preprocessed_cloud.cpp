@@ -22,7 +22,7 @@ std::vector<std::int64_t> finite_rows(const CloudReader& reader) {
   return out;
 }
 
-bool any_direction(const Cloud& normals) {
+bool any_valid(const Cloud& normals) {
   return std::any_of(normals.x.begin(), normals.x.end(), [](float x) { return x == x; });
 }
 
@@ -31,8 +31,8 @@ bool any_direction(const Cloud& normals) {
 PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string& name, int threads)
     : title_(name.empty() ? "cloud" : name + " cloud") {
   const CloudReader reader(cloud, title_);
-  if (reader.count() <= kThinnedAbove) threads = 1;  // sooner done than others are awake
-  const Extent extent = measure(reader, title_, threads);
+  if (reader.count() <= kDownsampledAbove) threads = 1;  // done sooner than other threads wake up
+  const Extent extent = measure_extent(reader, title_, threads);
   count = extent.count;
   dropped = reader.count() - count;
   std::copy_n(extent.center, 3, center);
@@ -41,28 +41,28 @@ PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string&
   if (cloud.normals)
     directions.emplace(emtr_cloud{cloud.normals, cloud.count, cloud.normal_stride, cloud.scalar},
                        title_ + "'s normals");
-  const NormalReader* const reads = directions ? &*directions : nullptr;
-  BasePoints made = base_points(reader, reads, extent, threads);
+  const NormalReader* const normal_reader = directions ? &*directions : nullptr;
+  BasePoints made = read_base_points(reader, normal_reader, extent, threads);
   base = std::move(made.points);
   normals = std::move(made.normals);
-  if (directions && !any_direction(normals))
+  if (directions && !any_valid(normals))
     throw Error(
         EMTR_ERROR_ARGUMENT,
         title_ +
             ": normals are given, but no finite point has one that is finite and has a length");
-  described = keypoints(cloud, reader, extent, title_);
-  const bool whole = count <= kThinnedAbove;
-  if (!whole && cloud.keep_points) kept_ = all_points(reader, nullptr, extent, threads).points;
+  keypoints = read_keypoints(cloud, reader, extent, title_);
+  const bool whole = count <= kDownsampledAbove;
+  if (!whole && cloud.keep_points) all_points_ = read_all_points(reader, nullptr, extent, threads).points;
   if (dropped && (whole || cloud.keep_points)) finite_ = finite_rows(reader);
 }
 
 bool PreprocessedCloud::find(std::size_t row, float p[3]) const {
-  const Cloud& all = count <= kThinnedAbove ? base : kept_;
+  const Cloud& all = count <= kDownsampledAbove ? base : all_points_;
   if (all.size() == 0)
     throw Error(EMTR_ERROR_ARGUMENT, title_ +
-                                         ": prepared without keep_points, expected it for "
+                                         ": preprocessed without keep_points, expected it for "
                                          "correspondences of a cloud of more than " +
-                                         std::to_string(kThinnedAbove) + " points");
+                                         std::to_string(kDownsampledAbove) + " points");
   if (!finite_.empty()) {
     const auto at =
         std::lower_bound(finite_.begin(), finite_.end(), static_cast<std::int64_t>(row));
@@ -76,7 +76,7 @@ bool PreprocessedCloud::find(std::size_t row, float p[3]) const {
 }
 
 double PreprocessedCloud::spacing() const {
-  constexpr std::size_t enough = 2000;  // for a mean to a per cent or so
+  constexpr std::size_t enough = 2000;  // for a mean to about one percent
   double known = spacing_.load();
   if (known < 0) spacing_ = known = mean_spacing(base, enough);
   return known;

@@ -7,6 +7,7 @@
 
 #include "voxels/voxel_order.h"
 #include "voxels/voxel_grid.h"
+#include "voxels/voxel_index.h"
 #include "util/thread_team.h"
 
 namespace emtr {
@@ -14,26 +15,28 @@ namespace {
 
 constexpr std::size_t kSlabPoints = 1u << 16;  // a slab and its filter stay in the caches
 
-/// The finite points of one block by layer: their places, and where each layer begins among them.
+/// The places of one block's finite points, ordered by layer, and where each layer begins.
 struct Block {
   std::vector<std::uint16_t> places;
   std::vector<std::uint32_t> begin;
 };
 
-/// Which layer of voxels a coordinate in the unit ball lies in.
+/// Tells in which layer of voxels a coordinate in the unit ball lies.
 class Layers {
  public:
-  explicit Layers(float leaf) : inverse_(1.0f / leaf), half_(std::ceil(inverse_) + 1) {}
+  explicit Layers(float leaf)
+      : inverse_(1.0f / leaf), half_(static_cast<int>(std::ceil(inverse_)) + 1) {}
   std::size_t size() const { return static_cast<std::size_t>(2 * half_ + 1); }
-  std::size_t of(float v) const {  // as PCL bins
-    return static_cast<std::size_t>(std::floor(v * inverse_) + half_);
+  std::size_t of(float v) const {
+    return static_cast<std::size_t>(voxel_index(v, inverse_) + half_);
   }
 
  private:
-  float inverse_, half_;
+  float inverse_;
+  int half_;
 };
 
-Block sorted(const CloudReader& reader, std::size_t number, const Extent& extent,
+Block sort_by_layer(const CloudReader& reader, std::size_t number, const Extent& extent,
              const Layers& layers) {
   Block block;
   block.places.resize(extent.finite[number]);
@@ -55,8 +58,9 @@ Block sorted(const CloudReader& reader, std::size_t number, const Extent& extent
   return block;
 }
 
-/// Layers first to last of each slab, about as many points in each.
-std::vector<std::size_t> cut(const std::vector<Block>& blocks, std::size_t layers) {
+/// Cuts the layers into slabs of about kSlabPoints points; returns where each slab begins and the
+/// end of the last.
+std::vector<std::size_t> cut_slabs(const std::vector<Block>& blocks, std::size_t layers) {
   std::vector<std::size_t> cuts = {0};
   std::size_t points = 0;
   for (std::size_t layer = 0; layer < layers; ++layer) {
@@ -91,12 +95,6 @@ BasePoints gather(const CloudReader& reader, const NormalReader* normals, const 
   return out;
 }
 
-void append(Cloud& to, const Cloud& from) {
-  to.x.insert(to.x.end(), from.x.begin(), from.x.end());
-  to.y.insert(to.y.end(), from.y.begin(), from.y.end());
-  to.z.insert(to.z.end(), from.z.begin(), from.z.end());
-}
-
 }  // namespace
 
 BasePoints voxel_grid_by_slabs(const CloudReader& reader, const NormalReader* normals,
@@ -104,9 +102,9 @@ BasePoints voxel_grid_by_slabs(const CloudReader& reader, const NormalReader* no
   const Layers layers(leaf);
   std::vector<Block> blocks(reader.blocks());
   parallel_for(blocks.size(), threads,
-              [&](std::size_t i) { blocks[i] = sorted(reader, i, extent, layers); });
+              [&](std::size_t i) { blocks[i] = sort_by_layer(reader, i, extent, layers); });
 
-  const std::vector<std::size_t> cuts = cut(blocks, layers.size());
+  const std::vector<std::size_t> cuts = cut_slabs(blocks, layers.size());
   std::vector<BasePoints> slabs(cuts.size() - 1);
   parallel_for(slabs.size(), threads, [&](std::size_t i) {
     const BasePoints slab = gather(reader, normals, extent, blocks, cuts[i], cuts[i + 1]);
@@ -117,8 +115,8 @@ BasePoints voxel_grid_by_slabs(const CloudReader& reader, const NormalReader* no
 
   BasePoints out;
   for (const BasePoints& slab : slabs) {
-    append(out.points, slab.points);
-    append(out.normals, slab.normals);
+    out.points.append(slab.points);
+    out.normals.append(slab.normals);
   }
   return out;
 }

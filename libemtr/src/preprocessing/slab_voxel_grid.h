@@ -5,10 +5,10 @@
 
 namespace emtr {
 
-/// pcl::VoxelGrid of a whole cloud in its unit ball, slab by slab: a slab is a run of whole layers
-/// of voxels, so no voxel is cut, and only the slabs at work are ever held as points. With the mean
-/// normals of the voxels.
+/// Applies voxel_grid() and mean_normals() to a whole cloud in its unit ball, slab by slab. A slab
+/// is a run of whole layers of voxels, so it cuts no voxel, and memory holds the points of only
+/// those slabs that threads work on.
 BasePoints voxel_grid_by_slabs(const CloudReader& reader, const NormalReader* normals,
-                         const Extent& extent, float leaf, int threads);
+                               const Extent& extent, float leaf, int threads);
 
 }  // namespace emtr

@@ -5,6 +5,7 @@
 
 #include "geometry/pose_distance.h"
 #include "util/cancellation.h"
+#include "util/constants.h"
 
 namespace emtr {
 namespace {
@@ -13,9 +14,9 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr int kSteps = 500;
-/// Further from the admissible poses a seed is of another answer; nearer, the polish can find the
-/// way to what the seed meant.
-constexpr PoseDistance kReach = {20 * 3.14159265358979323846 / 180, 0.3};
+/// A seed farther from the admissible poses belongs to another answer; from a nearer one local
+/// refinement can find the way to its answer.
+constexpr PoseDistance kReach = {20 * kPi / 180, 0.3};
 
 Rigid rigid(const Quaterniond& q, const Vector3d& t) {
   return {q.toRotationMatrix(), t};
@@ -74,7 +75,7 @@ std::vector<Rigid> admissible(const std::vector<Rigid>& poses, const Prior* prio
   for (const Rigid& pose : poses) {
     check_cancelled();
     const Rigid inside = prior->project(pose);
-    if (within(pose, inside, kReach)) out.push_back(inside);
+    if (is_same_pose(pose, inside, kReach)) out.push_back(inside);
   }
   return out;
 }

@@ -1,4 +1,4 @@
-// The limits of a prior, each as a plane in the space of small motions.
+// Expresses the limits of a prior as planes in the space of small motions.
 
 #include <cmath>
 
@@ -11,17 +11,21 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Limits = std::vector<Prior::Limit>;
 
-constexpr double kPoint = 1e-9;  // a range as narrow as this leaves nothing to choose
+constexpr double kPoint = 1e-9;  // a range as narrow as this is a single value
 
-void add(Limits& out, const Vector3d& turn, const Vector3d& shift, double room, bool equality) {
-  out.push_back({{turn.x(), turn.y(), turn.z(), shift.x(), shift.y(), shift.z()}, room, equality});
+/// Adds the limit whose gradient has these parts for the rotation and the translation.
+void add(Limits& out, const Vector3d& rotation, const Vector3d& translation, double room,
+         bool equality) {
+  const Vector3d &r = rotation, &t = translation;
+  out.push_back({{r.x(), r.y(), r.z(), t.x(), t.y(), t.z()}, room, equality});
 }
 
-/// A value that may be from -half to half, is `at`, and changes by J x.
-void add_range(Limits& out, const Vector3d& turn, const Vector3d& shift, double at, double half) {
-  if (half < kPoint) return add(out, turn, shift, 0, true);
-  add(out, turn, shift, half - at, false);
-  add(out, -turn, -shift, half + at, false);
+/// Adds the limits of a value from -half to half that is `at` and changes by J x.
+void add_range(Limits& out, const Vector3d& rotation, const Vector3d& translation, double at,
+               double half) {
+  if (half < kPoint) return add(out, rotation, translation, 0, true);
+  add(out, rotation, translation, half - at, false);
+  add(out, -rotation, -translation, half + at, false);
 }
 
 void add_ball(Limits& out, const RotationBall& ball, const Quaterniond& q) {
@@ -35,19 +39,19 @@ void add_ball(Limits& out, const RotationBall& ball, const Quaterniond& q) {
 
 void add_axis(Limits& out, const AxisLimits& limits, const Quaterniond& q) {
   const Vector3d &a = limits.axis, none = Vector3d::Zero();
-  const SwingTwist turn(q, a);
+  const SwingTwist parts(q, a);
   if (limits.tilt < kPoint) {
     const Vector3d u = a.unitOrthogonal();
     add(out, u, none, 0, true);
     add(out, a.cross(u), none, 0, true);
-  } else if (turn.tilt > kPoint) {
-    add(out, a.cross(q * a).normalized(), none, limits.tilt - turn.tilt, false);
+  } else if (parts.tilt > kPoint) {
+    add(out, a.cross(q * a).normalized(), none, limits.tilt - parts.tilt, false);
   }
   if (limits.angle.full()) return;
-  // Of angle = 2 atan2(q.vec . a, q.w), with dq = (w / 2) q.
+  // J is the gradient of angle = 2 atan2(q.vec . a, q.w), with dq = (w / 2) q.
   const double s = q.w(), p = q.vec().dot(a);
   const Vector3d J = (s * s * a + s * q.vec().cross(a) + p * q.vec()) / (s * s + p * p);
-  add_range(out, J, none, limits.angle.offset(turn.angle), limits.angle.half);
+  add_range(out, J, none, limits.angle.offset(parts.angle), limits.angle.half);
 }
 
 }  // namespace
@@ -59,7 +63,7 @@ Limits Prior::limits(const Rigid& pose) const {
   for (const RotationBall& ball : rotation_.balls) add_ball(out, ball, q);
   if (rotation_.axis) add_axis(out, *rotation_.axis, q);
 
-  // The motion takes a place y along by w x y + v: n . (w x y) = w . (y x n).
+  // The motion moves a place y by w x y + v: n . (w x y) = w . (y x n).
   const auto along = [&](const Vector3d& n, const Vector3d& y, double at, double half) {
     add_range(out, y.cross(n), n, at, half);
   };
@@ -71,7 +75,7 @@ Limits Prior::limits(const Rigid& pose) const {
       add(out, t.cross(d.normalized()), d.normalized(), ball->radius - d.norm(), false);
   }
   if (const auto& box = translation_.box) {
-    // The matrix's translation t - R lever turns about the target's centre, as t and R do.
+    // The matrix's translation t - R lever rotates about the target's center, as t and R do.
     const Vector3d m = t - pose.R * box->lever;
     for (int i = 0; i < 3; ++i)
       along(Vector3d::Unit(i), m, m[i] - (box->low[i] + box->high[i]) / 2,

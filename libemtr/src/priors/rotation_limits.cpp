@@ -9,7 +9,6 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRounding = 1e-12;
 
 double angle_of(const Quaterniond& q) { return 2 * std::atan2(q.vec().norm(), std::abs(q.w())); }
@@ -22,33 +21,33 @@ Quaterniond nearest(const RotationBall& ball, const Quaterniond& q) {
   return Quaterniond(Eigen::AngleAxisd(ball.radius, direction)) * ball.center;
 }
 
-/// The scalar product with a rotation q of tilt s, angle a and direction u is
+/// Maximizes the scalar product with a rotation q of tilt s, angle a and direction u,
 ///   cos(s/2) cos(s'/2) cos((a - a')/2) + sin(s/2) sin(s'/2) u.u',
-/// largest for u' = u, the nearest angle, and then tan(s'/2) = tan(s/2) / cos((a - a')/2).
+/// which is largest for u' = u, the nearest angle, and then tan(s'/2) = tan(s/2) / cos((a - a')/2).
 Quaterniond nearest(const AxisLimits& limits, const Quaterniond& q) {
-  SwingTwist turn(q, limits.axis);
-  const double offset = limits.angle.offset(turn.angle),
+  SwingTwist parts(q, limits.axis);
+  const double offset = limits.angle.offset(parts.angle),
                clamped = std::clamp(offset, -limits.angle.half, limits.angle.half);
-  // A turn more changes the sign of the first two of a quaternion's parts.
-  const double turns = std::round((limits.angle.middle + offset - turn.angle) / (2 * kPi));
-  if (std::fmod(turns, 2) != 0) turn.across = -turn.across;
-  turn.angle = limits.angle.middle + clamped;
-  const double tilt = 2 * std::atan2(std::sin(turn.tilt / 2),
-                                     std::cos(turn.tilt / 2) * std::cos((offset - clamped) / 2));
-  turn.tilt = std::min(tilt, limits.tilt);
-  return turn.about(limits.axis);
+  // A full rotation more changes the sign of the first two of a quaternion's parts.
+  const double full_rotations = std::round((limits.angle.middle + offset - parts.angle) / (2 * kPi));
+  if (std::fmod(full_rotations, 2) != 0) parts.across = -parts.across;
+  parts.angle = limits.angle.middle + clamped;
+  const double tilt = 2 * std::atan2(std::sin(parts.tilt / 2),
+                                     std::cos(parts.tilt / 2) * std::cos((offset - clamped) / 2));
+  parts.tilt = std::min(tilt, limits.tilt);
+  return parts.about(limits.axis);
 }
 
-/// The angles about the axis that a ball leaves, and more of them when it may lean: the scalar
-/// product above at the most tilt that there may be. Nothing when it leaves none.
+/// Returns the angles about the axis that a ball leaves, and somewhat more when the axis may tilt:
+/// from the scalar product above at the maximum tilt. Returns nothing when the ball leaves none.
 std::optional<Arc> shadow(const RotationBall& ball, const AxisLimits& limits) {
   const SwingTwist center(ball.center, limits.axis);
   const double upright = std::cos(center.tilt / 2);
-  const double least =
+  const double minimum =
       std::cos(ball.radius / 2) - std::sin(limits.tilt / 2) * std::sin(center.tilt / 2);
-  if (least <= 0 || upright <= 0) return Arc();
-  if (least > upright * (1 + kRounding)) return std::nullopt;
-  return Arc{center.angle, 2 * std::acos(std::min(1.0, least / upright))};
+  if (minimum <= 0 || upright <= 0) return Arc();
+  if (minimum > upright * (1 + kRounding)) return std::nullopt;
+  return Arc{center.angle, 2 * std::acos(std::min(1.0, minimum / upright))};
 }
 
 }  // namespace
@@ -65,8 +64,8 @@ std::optional<Arc> Arc::intersected(const Arc& other) const {
   if (other.full()) return *this;
   if (full()) return other;
   std::optional<Arc> found;
-  for (const double turn : {-2 * kPi, 0.0, 2 * kPi}) {
-    const double at = offset(other.middle) + turn, low = std::max(-half, at - other.half),
+  for (const double full_rotation : {-2 * kPi, 0.0, 2 * kPi}) {
+    const double at = offset(other.middle) + full_rotation, low = std::max(-half, at - other.half),
                  high = std::min(half, at + other.half);
     if (low > high + kRounding) continue;
     if (found) return *this;
@@ -93,14 +92,14 @@ Quaterniond SwingTwist::about(const Vector3d& axis) const {
 }
 
 double RotationLimits::excess(const Quaterniond& q) const {
-  double most = 0;
+  double maximum = 0;
   for (const RotationBall& ball : balls)
-    most = std::max(most, angle_of(q * ball.center.conjugate()) - ball.radius);
-  if (!axis) return most;
-  const SwingTwist turn(q, axis->axis);
-  most = std::max(most, turn.tilt - axis->tilt);
-  if (axis->angle.full()) return most;
-  return std::max(most, std::abs(axis->angle.offset(turn.angle)) - axis->angle.half);
+    maximum = std::max(maximum, angle_of(q * ball.center.conjugate()) - ball.radius);
+  if (!axis) return maximum;
+  const SwingTwist parts(q, axis->axis);
+  maximum = std::max(maximum, parts.tilt - axis->tilt);
+  if (axis->angle.full()) return maximum;
+  return std::max(maximum, std::abs(axis->angle.offset(parts.angle)) - axis->angle.half);
 }
 
 Quaterniond RotationLimits::step(const Quaterniond& q) const {

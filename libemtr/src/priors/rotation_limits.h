@@ -4,30 +4,32 @@
 #include <optional>
 #include <vector>
 
+#include "util/constants.h"
+
 namespace emtr {
 
-/// Angles from middle - half to middle + half, radians, a turn more or less being the same; all of
-/// them when half is pi.
+/// Angles from middle - half to middle + half, radians, modulo a full rotation; all angles when half
+/// is pi.
 struct Arc {
-  double middle = 0, half = 3.14159265358979323846;
+  double middle = 0, half = kPi;
 
   bool full() const;
-  /// From the middle, in [-pi, pi].
+  /// Returns the angle from the middle, in [-pi, pi].
   double offset(double angle) const;
   bool contains(const Arc& other) const;
-  /// What both have in common. Two pieces are none of an arc's business: then this one, unchanged.
-  /// Nothing when they do not meet.
+  /// Returns what both have in common, or nothing when they do not meet. Returns this arc unchanged
+  /// where the common angles are two pieces, which no arc can hold.
   std::optional<Arc> intersected(const Arc& other) const;
 };
 
-/// Rotations no further than an angle from one of them.
+/// All rotations within an angle of a given one.
 struct RotationBall {
   Eigen::Quaterniond center;
   double radius;  ///< radians
 };
 
-/// A rotation as a turn about an axis and then a tilt of that axis: with `across` a unit vector
-/// perpendicular to it, q = (cos(tilt/2) cos(angle/2), cos(tilt/2) sin(angle/2) axis +
+/// A rotation split into a rotation about an axis (the twist) and then a tilt of that axis (the
+/// swing): with `across` a unit vector perpendicular to it, q = (cos(tilt/2) cos(angle/2), cos(tilt/2) sin(angle/2) axis +
 /// sin(tilt/2) across).
 struct SwingTwist {
   double angle, tilt;  ///< radians; tilt in [0, pi]
@@ -37,14 +39,14 @@ struct SwingTwist {
   Eigen::Quaterniond about(const Eigen::Vector3d& axis) const;
 };
 
-/// Rotations about one axis, which may lean a little.
+/// Rotations about one axis, which may tilt a little.
 struct AxisLimits {
   Eigen::Vector3d axis;  ///< unit
-  double tilt;           ///< most of it, radians
+  double tilt;           ///< maximum, radians
   Arc angle;
 };
 
-/// A set of rotations: what all the balls and the axis have in common.
+/// A set of rotations: those within all the balls and the limits of the axis.
 class RotationLimits {
  public:
   std::vector<RotationBall> balls;
@@ -52,19 +54,19 @@ class RotationLimits {
 
   bool any() const { return !balls.empty() || axis; }
 
-  /// By how much a rotation is outside, radians: of the limit that it breaks most; 0 inside.
+  /// Returns by how much a rotation breaks the limit that it breaks most, radians; 0 inside.
   double excess(const Eigen::Quaterniond& q) const;
 
-  /// The nearest rotation within each limit, one after the other: of a single limit the nearest
-  /// there is, of several one step of alternating projections.
+  /// Returns the nearest rotation within each limit, one after the other: the projection onto a
+  /// single limit, or one step of alternating projections onto several.
   Eigen::Quaterniond step(const Eigen::Quaterniond& q) const;
 
-  /// The angles about the axis that the balls leave, and more of them when it may lean; nothing
-  /// when they leave none.
+  /// Returns the angles about the axis that the balls leave, and somewhat more when it may tilt;
+  /// nothing when they leave none.
   std::optional<Arc> angles() const;
 
-  /// Where it may not lean the balls become limits of the angle: no steps are needed any more.
-  /// False when no rotation is left.
+  /// Turns the balls into limits of the angle where the axis may not tilt: projections then need no
+  /// steps. Returns false when no rotation is left.
   bool simplify();
 };
 

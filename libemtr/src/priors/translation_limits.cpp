@@ -16,17 +16,17 @@ Vector3d clamped(const Vector3d& v, const Vector3d& low, const Vector3d& high) {
 }  // namespace
 
 double TranslationLimits::excess(const Eigen::Matrix3d& R, const Vector3d& t) const {
-  double most = 0;
-  if (ball) most = std::max(most, (t - ball->center).norm() - ball->radius);
+  double maximum = 0;
+  if (ball) maximum = std::max(maximum, (t - ball->center).norm() - ball->radius);
   if (box) {
     const Vector3d m = t - R * box->lever;
     // Each bound has its own rounding: a far one must not blur a near one.
     const auto beyond = [](const Vector3d& by, const Vector3d& bound) {
       return (by - kRounding * bound.cwiseAbs()).maxCoeff();
     };
-    most = std::max({most, beyond(m - box->high, box->high), beyond(box->low - m, box->low)});
+    maximum = std::max({maximum, beyond(m - box->high, box->high), beyond(box->low - m, box->low)});
   }
-  return most;
+  return maximum;
 }
 
 Vector3d TranslationLimits::nearest(const Eigen::Matrix3d& R, const Vector3d& t) const {
@@ -35,10 +35,10 @@ Vector3d TranslationLimits::nearest(const Eigen::Matrix3d& R, const Vector3d& t)
     const Vector3d d = t - ball->center;
     return d.norm() <= ball->radius ? t : Vector3d(ball->center + ball->radius * d.normalized());
   }
-  const Vector3d shift = R * box->lever, low = box->low + shift, high = box->high + shift;
+  const Vector3d offset = R * box->lever, low = box->low + offset, high = box->high + offset;
   if (!ball) return clamped(t, low, high);
-  // The nearest point of both lies, clamped, on the way to the ball's centre: as far along as the
-  // ball asks for (the conditions of Kuhn and Tucker).
+  // The nearest point of both lies, clamped, on the way to the ball's center, as far along as the
+  // ball requires (the conditions of Kuhn and Tucker).
   const auto at = [&](double s) { return clamped((1 - s) * t + s * ball->center, low, high); };
   const auto inside = [&](double s) { return (at(s) - ball->center).norm() <= ball->radius; };
   if (inside(0)) return at(0);
@@ -49,14 +49,13 @@ Vector3d TranslationLimits::nearest(const Eigen::Matrix3d& R, const Vector3d& t)
 
 Eigen::Quaterniond TranslationLimits::step(const Eigen::Quaterniond& q) const {
   if (!ball || !box || box->lever.isZero(0)) return q;
-  // Where R lever would have to be: the ball's centre less that, and the box, no further apart
-  // than the ball's radius.
-  const Vector3d is = q * box->lever, gap = ball->center - is,
+  // Moves R lever so that the ball's center less R lever is within the ball's radius of the box.
+  const Vector3d lever = q * box->lever, gap = ball->center - lever,
                  off = gap - clamped(gap, box->low, box->high);
   const double distance = off.norm();
   if (distance <= ball->radius) return q;
-  const Vector3d wanted = is + (1 - ball->radius / distance) * off;
-  return (Eigen::Quaterniond::FromTwoVectors(is, wanted) * q).normalized();
+  const Vector3d wanted = lever + (1 - ball->radius / distance) * off;
+  return (Eigen::Quaterniond::FromTwoVectors(lever, wanted) * q).normalized();
 }
 
 double TranslationLimits::rounding() const {

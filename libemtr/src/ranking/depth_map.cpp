@@ -11,7 +11,7 @@ namespace emtr {
 namespace {
 
 constexpr float kMargin = 2;  // leaves, to be clearly in front
-constexpr int kLeastFilled = 6;
+constexpr int kMinimumFilled = 6;
 constexpr float kEmpty = std::numeric_limits<float>::infinity();
 
 void move(const Kernels& kernels, const Cloud& points, const Rigid& pose, DepthMap::Scratch& s) {
@@ -41,54 +41,48 @@ DirectionBins make_bins(const Cloud& points, const double viewpoint[3], double l
 
 DepthMap::DepthMap(const Cloud& points, const double viewpoint[3], double leaf,
                    const Kernels& kernels)
-    : kernels_(kernels), bins_(make_bins(points, viewpoint, leaf)) {
+    : kernels_(kernels), bins_(make_bins(points, viewpoint, leaf)), map_(bins_.side()) {
   Scratch s;
   move(kernels, points, bins_.to_view(), s);
-  std::vector<DirectionBins::Bin> bins(points.size());
+  Bins bins(points.size());
   std::vector<float> ranges(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     bins[i] = bins_(s.x[i], s.y[i], s.z[i]);
+    map_.include(bins[i]);
     ranges[i] = std::sqrt((s.x[i] * s.x[i] + s.y[i] * s.y[i]) + s.z[i] * s.z[i]);
   }
+  squared_free_range_.assign(map_.number_bins(), 0);
+  const std::vector<float> nearest = nearest_ranges(bins, ranges);
   for (std::int32_t face = 0; face < 6; ++face)
-    fill(bins, ranges, face, kMargin * static_cast<float>(leaf));
+    find_free_ranges(map_.window(face), nearest, kMargin * static_cast<float>(leaf));
 }
 
-void DepthMap::fill(const std::vector<DirectionBins::Bin>& bins, const std::vector<float>& ranges,
-                    std::int32_t face, float margin) {
-  std::int32_t low[2] = {bins_.side(), bins_.side()}, high[2] = {-1, -1};
-  for (const auto& bin : bins) {
-    if (bin.face != face) continue;
-    low[0] = std::min(low[0], bin.column);
-    low[1] = std::min(low[1], bin.row);
-    high[0] = std::max(high[0], bin.column);
-    high[1] = std::max(high[1], bin.row);
-  }
-  Window& w = windows_[face];
-  w = {low[0], low[1], std::max(0, high[0] - low[0] + 1), std::max(0, high[1] - low[1] + 1), {}};
-  const auto at = [&w](std::int32_t column, std::int32_t row) {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(w.columns) +
-           static_cast<std::size_t>(column);
-  };
-  std::vector<float> nearest(at(0, w.rows), kEmpty);
+std::vector<float> DepthMap::nearest_ranges(const Bins& bins,
+                                            const std::vector<float>& ranges) const {
+  std::vector<float> nearest(squared_free_range_.size(), kEmpty);
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    if (bins[i].face != face) continue;
-    float& range = nearest[at(bins[i].column - w.left, bins[i].row - w.top)];
+    float& range = nearest[map_.index(bins[i])];
     range = std::min(range, ranges[i]);
   }
-  w.squared.assign(nearest.size(), 0);
-  for (std::int32_t row = 0; row < w.rows; ++row)
-    for (std::int32_t column = 0; column < w.columns; ++column) {
+  return nearest;
+}
+
+void DepthMap::find_free_ranges(const CubeMap::Window& w, const std::vector<float>& nearest,
+                                float margin) {
+  for (std::int32_t row = w.top; row <= w.bottom; ++row)
+    for (std::int32_t column = w.left; column <= w.right; ++column) {
       int filled = 0;
-      float least = kEmpty;
-      for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, w.rows - 1); ++r)
-        for (std::int32_t c = std::max(column - 1, 0); c <= std::min(column + 1, w.columns - 1);
+      float minimum = kEmpty;
+      for (std::int32_t r = std::max(row - 1, w.top); r <= std::min(row + 1, w.bottom); ++r)
+        for (std::int32_t c = std::max(column - 1, w.left); c <= std::min(column + 1, w.right);
              ++c) {
-          filled += nearest[at(c, r)] < kEmpty;
-          least = std::min(least, nearest[at(c, r)]);
+          const float range = nearest[w.index(c, r)];
+          filled += range < kEmpty;
+          minimum = std::min(minimum, range);
         }
-      const float free = least - margin;
-      if (filled >= kLeastFilled && free > 0) w.squared[at(column, row)] = free * free;
+      const float free = minimum - margin;
+      if (filled >= kMinimumFilled && free > 0)
+        squared_free_range_[w.index(column, row)] = free * free;
     }
 }
 
@@ -96,14 +90,11 @@ std::size_t DepthMap::in_front(const Cloud& points, const Rigid& pose, Scratch& 
   move(kernels_, points, bins_.to_view() * pose, s);
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto bin = bins_(s.x[i], s.y[i], s.z[i]);
-    const Window& w = windows_[bin.face];
-    const std::int32_t column = bin.column - w.left, row = bin.row - w.top;
-    if (column < 0 || row < 0 || column >= w.columns || row >= w.rows) continue;
+    const DirectionBins::Bin bin = bins_(s.x[i], s.y[i], s.z[i]);
+    const CubeMap::Window& w = map_.window(bin.face);
+    if (!w.contains(bin)) continue;
     const float squared = (s.x[i] * s.x[i] + s.y[i] * s.y[i]) + s.z[i] * s.z[i];
-    count +=
-        squared < w.squared[static_cast<std::size_t>(row) * static_cast<std::size_t>(w.columns) +
-                            static_cast<std::size_t>(column)];
+    count += squared < squared_free_range_[w.index(bin.column, bin.row)];
   }
   return count;
 }

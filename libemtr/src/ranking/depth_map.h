@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/cloud.h"
+#include "ranking/cube_map.h"
 #include "ranking/direction_bins.h"
 
 namespace emtr {
@@ -18,26 +19,22 @@ class DepthMap {
     std::vector<float> x, y, z;
   };
 
-  /// How many of `points`, moved by `pose` into this map's cloud, lie clearly in front of what was
-  /// seen: nearer by 2 leaves than all in the 3 x 3 bins about their direction, where at least 6
-  /// of these 9 hold something. A bin is a leaf wide at the median range. Behind, or where nothing
-  /// was seen, nothing can be said.
+  /// Counts the points that, moved by `pose` into this map's cloud, lie clearly in front of what
+  /// was seen: nearer by 2 leaves than all in the 3 x 3 bins about their direction, where at least
+  /// 6 of these 9 hold something. A bin is a leaf wide at the median range. Behind, or where
+  /// nothing was seen, nothing can be said.
   std::size_t in_front(const Cloud& points, const Rigid& pose, Scratch& scratch) const;
 
  private:
-  /// The bins of a face that hold something, in a rectangle: a distant sensor has many bins, and
-  /// uses few.
-  struct Window {
-    std::int32_t left, top, columns, rows;
-    std::vector<float> squared;  ///< of the range that is known to be empty
-  };
-
-  void fill(const std::vector<DirectionBins::Bin>& bins, const std::vector<float>& ranges,
-            std::int32_t face, float margin);
+  using Bins = std::vector<DirectionBins::Bin>;
+  std::vector<float> nearest_ranges(const Bins& bins, const std::vector<float>& ranges) const;
+  void find_free_ranges(const CubeMap::Window& window, const std::vector<float>& nearest,
+                        float margin);
 
   const Kernels& kernels_;
   DirectionBins bins_;
-  Window windows_[6];
+  CubeMap map_;
+  std::vector<float> squared_free_range_;  // by bin: squared length of the ray known to be empty
 };
 
 }  // namespace emtr

@@ -3,13 +3,14 @@
 namespace emtr {
 namespace {
 
-constexpr double kQuarter = 1.5707963267948966;  // of a circle: what a face sees
-constexpr double kMostBins = 1 << 18;            // an edge: all that floats can tell apart
+constexpr double kQuarter =
+    1.5707963267948966;                   // the angle that a face sees: a quarter of a circle
+constexpr double kMaximumBins = 1 << 18;  // along an edge: all that floats can tell apart
 
 }  // namespace
 
 DirectionBins::DirectionBins(const double viewpoint[3], const double facing[3], double size) {
-  side_ = static_cast<std::int32_t>(std::clamp(std::round(kQuarter / size), 1.0, kMostBins));
+  side_ = static_cast<std::int32_t>(std::clamp(std::round(kQuarter / size), 1.0, kMaximumBins));
   half_side_ = 0.5f * static_cast<float>(side_);
 
   double z[3], length = 0;
@@ -21,11 +22,11 @@ DirectionBins::DirectionBins(const double viewpoint[3], const double facing[3], 
   length = std::sqrt(length);
   for (double& v : z) v /= length;
   // x: across z, and the axis that is farthest from z.
-  int least = 0;
+  int axis = 0;
   for (int a = 1; a < 3; ++a)
-    if (std::abs(z[a]) < std::abs(z[least])) least = a;
-  double x[3] = {-z[least] * z[0], -z[least] * z[1], -z[least] * z[2]};
-  x[least] += 1;
+    if (std::abs(z[a]) < std::abs(z[axis])) axis = a;
+  double x[3] = {-z[axis] * z[0], -z[axis] * z[1], -z[axis] * z[2]};
+  x[axis] += 1;
   length = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
   for (double& v : x) v /= length;
   const double y[3] = {z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2],

@@ -17,14 +17,14 @@ class DirectionBins {
     std::int32_t face, column, row;
   };
 
-  /// `size`: wanted, in radians.
+  /// `size`: the bins' angular size to aim for, in radians.
   DirectionBins(const double viewpoint[3], const double facing[3], double size);
 
-  /// Into the cube's own frame: the viewpoint at the origin, the faced place along z.
+  /// Maps into the cube's own frame: the viewpoint at the origin, the faced place along z.
   const Rigid& to_view() const { return to_view_; }
   std::int32_t side() const { return side_; }  ///< bins along an edge of a face
 
-  /// Of a direction in the cube's frame, of any length.
+  /// Returns the bin of a direction in the cube's frame, of any length.
   Bin operator()(float x, float y, float z) const {
     const float ax = std::abs(x), ay = std::abs(y), az = std::abs(z);
     if (az >= ax && az >= ay) return on_face(z > 0 ? 0 : 1, x, y, az);
@@ -38,7 +38,7 @@ class DirectionBins {
     return {face, along(a * inverse), along(b * inverse)};
   }
 
-  /// The tangent of an angle within 45 degrees, to the place along the face. A cubic near enough
+  /// Maps the tangent of an angle within 45 degrees to a bin along the face, by a cubic near enough
   /// to the angle itself: where it is not, bins are a little larger or smaller.
   std::int32_t along(float tangent) const {
     const float place = tangent * (1.2f - 0.2f * tangent * tangent);

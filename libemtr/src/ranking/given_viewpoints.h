@@ -3,13 +3,13 @@
 #include <optional>
 
 #include "preprocessing/normalization.h"
-#include "settings/settings.h"
 #include "ranking/viewpoint.h"
+#include "settings/settings.h"
 
 namespace emtr {
 
-/// What the caller says of where the sensors stood, each in its cloud's normalized frame. Neither
-/// when free space is to say nothing. Throws Error when one is too far away.
+/// The sensors' places that the user gave, each in its cloud's normalized frame; neither when the
+/// settings leave free space out. Throws Error when one is too far away.
 struct GivenViewpoints {
   std::optional<Viewpoint> source, target;
 

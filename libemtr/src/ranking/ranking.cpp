@@ -5,30 +5,34 @@
 namespace emtr {
 namespace {
 
-constexpr double kWeight = 2;  // of violations
+constexpr double kViolationWeight = 2;
 
-Surface oriented(Surface surface, const Viewpoints& viewpoints) {
-  if (!viewpoints.candidates.empty()) orient(surface, viewpoints.candidates.front());
-  return surface;
+SharedSurface oriented(const SharedSurface& surface, const Viewpoints& viewpoints) {
+  if (viewpoints.candidates.empty()) return surface;
+  Surface out = *surface;
+  orient_normals(out.points, viewpoints.candidates.front().in_float(), out.normals);
+  return SharedSurface(std::move(out));
 }
 
 }  // namespace
 
-Ranking::Ranking(Surface source, Surface target, const Viewpoints& of_source,
-                 const Viewpoints& of_target, const Kernels& kernels)
-    : source_(oriented(std::move(source), of_source)),
-      target_(oriented(std::move(target), of_target)),
-      both_given_(of_source.candidates.size() == 1 && of_target.candidates.size() == 1),
+Ranking::Ranking(const SharedSurface& source, const SharedSurface& target,
+                 const Viewpoints& source_viewpoints, const Viewpoints& target_viewpoints,
+                 const Kernels& kernels)
+    : source_(oriented(source, source_viewpoints)),
+      target_(oriented(target, target_viewpoints)),
+      both_given_(source_viewpoints.candidates.size() == 1 &&
+                  target_viewpoints.candidates.size() == 1),
       fit_(source_, target_, kernels),
-      free_space_(source_, target_, of_source, of_target, kernels) {}
+      free_space_(*source_, *target_, source_viewpoints, target_viewpoints, kernels) {}
 
-Ranking::Value Ranking::evaluate(const Rigid& pose, Scratch& scratch, double least) const {
+Ranking::Value Ranking::evaluate(const Rigid& pose, Scratch& scratch, double minimum) const {
   Value out;
   out.fit = fit_.evaluate(pose, scratch.fit);
   out.score = both_given_ ? out.fit.same_side : out.fit.score;
-  if (out.score <= least) return out;
+  if (out.score <= minimum) return out;
   out.violation = free_space_.violation(pose, out.fit.sign, scratch.free_space);
-  out.score -= kWeight * out.violation;
+  out.score -= kViolationWeight * out.violation;
   return out;
 }
 
@@ -37,7 +41,7 @@ Ranking::Value Ranking::quick(const Rigid& pose, std::size_t step, Scratch& scra
   out.fit = fit_.evaluate(pose, step, scratch.fit);
   out.violation = free_space_.violation(fit_.points(0, step), fit_.points(1, step), pose,
                                         out.fit.sign, scratch.free_space);
-  out.score = (both_given_ ? out.fit.same_side : out.fit.score) - kWeight * out.violation;
+  out.score = (both_given_ ? out.fit.same_side : out.fit.score) - kViolationWeight * out.violation;
   return out;
 }
 

@@ -2,13 +2,14 @@
 
 #include <limits>
 
-#include "ranking/surface_fit.h"
+#include "geometry/surface.h"
 #include "ranking/free_space.h"
+#include "ranking/surface_fit.h"
 
 namespace emtr {
 
-/// The score by which candidate poses are ranked: how well the surfaces lie on each other, less
-/// how much they stand where the other's sensor saw nothing.
+/// Scores candidate poses for their ranking: how well the surfaces lie on each other, less how much
+/// they stand where the other's sensor saw nothing.
 class Ranking {
  public:
   struct Scratch {
@@ -19,30 +20,32 @@ class Ranking {
   struct Value {
     SurfaceFitValue fit;
     double violation = 0;
-    /// fit.chf - 2 violation, at most 1. With fit.same_side in the place of fit.chf where the
+    /// fit.score - 2 violation, at most 1. With fit.same_side in the place of fit.score where the
     /// viewpoints of both are given: no sensor sees the back of what the other sees the front of.
     double score = 0;
   };
 
-  /// The surfaces are copied, and their normals turned to the viewpoints where there are any. The
-  /// kernels must outlive this. Throws as Fit does.
-  Ranking(Surface source, Surface target, const Viewpoints& of_source, const Viewpoints& of_target,
+  /// A surface with viewpoints is copied, for its normals to be turned to them; any other is
+  /// shared. The kernels must outlive this. Throws as SurfaceFit does.
+  Ranking(const SharedSurface& source, const SharedSurface& target,
+          const Viewpoints& source_viewpoints, const Viewpoints& target_viewpoints,
           const Kernels& kernels);
   Ranking(const Ranking&) = delete;
   Ranking& operator=(const Ranking&) = delete;
 
-  /// A pose whose fit alone does not exceed `least` is left at that: its score, which is no more
+  /// Leaves a pose whose fit alone does not exceed `minimum` at that: its score, which is no more
   /// than that of its fit, is then given without looking for violations.
   Value evaluate(const Rigid& pose, Scratch& scratch,
-                 double least = -std::numeric_limits<double>::infinity()) const;
+                 double minimum = -std::numeric_limits<double>::infinity()) const;
 
-  /// For a first pass over many poses: by every step-th point alone (see Fit::prepare).
+  /// Scores by every step-th point alone, for a first pass over many poses (see
+  /// SurfaceFit::add_subset).
   Value quick(const Rigid& pose, std::size_t step, Scratch& scratch) const;
   SurfaceFit& fit() { return fit_; }
   const SurfaceFit& fit() const { return fit_; }
 
  private:
-  const Surface source_, target_;
+  const SharedSurface source_, target_;
   const bool both_given_;
   SurfaceFit fit_;
   FreeSpace free_space_;

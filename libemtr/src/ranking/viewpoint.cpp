@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "util/cancellation.h"
 #include "ranking/z_buffer.h"
+#include "util/cancellation.h"
 
 namespace emtr {
 namespace {
@@ -29,8 +29,8 @@ double dot(const Direction& a, const Direction& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Evenly over the sphere, each one golden angle further. By turns and not by sines and cosines,
-/// whose last bits differ from machine to machine.
+/// Spreads directions evenly over the sphere, each one golden angle further: by repeated rotation
+/// and not by sines and cosines, whose last bits differ from machine to machine.
 std::vector<Direction> directions() {
   constexpr double cosine = -0.7373688780783197, sine = 0.6754902942615238;
   std::vector<Direction> out(kDirections);
@@ -39,9 +39,9 @@ std::vector<Direction> directions() {
     const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(kDirections);
     const double r = std::sqrt(1 - z * z);
     out[i] = {r * c, r * s, z};
-    const double turned = cosine * c - sine * s;
+    const double next = cosine * c - sine * s;
     s = sine * c + cosine * s;
-    c = turned;
+    c = next;
   }
   return out;
 }
@@ -52,7 +52,7 @@ Viewpoint place(const Direction& centroid, const Direction& direction, double ra
   return out;
 }
 
-/// The radius that sees most along a direction.
+/// Finds the radius that sees most along a direction.
 View best_along(ZBuffer& buffer, const Direction& direction) {
   View best{direction, 0, -1};
   for (const double radius : kRadii) {
@@ -63,19 +63,10 @@ View best_along(ZBuffer& buffer, const Direction& direction) {
   return best;
 }
 
-/// A quarter of the points, which lie twice as far apart, tells the directions that may matter.
+/// Finds the directions that may matter by a quarter of the points, which lie twice as far apart.
 std::vector<View> promising(const Surface& surface, const Kernels& kernels) {
-  Surface some;
+  Surface some = every_nth(surface, 4);
   some.leaf = 2 * surface.leaf;
-  const auto take = [](const std::vector<float>& from, std::vector<float>& to) {
-    for (std::size_t i = 0; i < from.size(); i += 4) to.push_back(from[i]);
-  };
-  for (auto [from, to] :
-       {std::pair{&surface.points, &some.points}, std::pair{&surface.normals, &some.normals}}) {
-    take(from->x, to->x);
-    take(from->y, to->y);
-    take(from->z, to->z);
-  }
   ZBuffer buffer(some, kNarrow, kernels);
   std::vector<View> views;
   for (const Direction& direction : directions()) views.push_back(best_along(buffer, direction));
@@ -85,8 +76,8 @@ std::vector<View> promising(const Surface& surface, const Kernels& kernels) {
   return views;
 }
 
-/// Of those that see nearly as much as the best. Opposites count for one another: which side is
-/// the sensor's is open anyway.
+/// Returns the mean direction of those that see nearly as much as the best. Opposites count for one
+/// another: which side is the sensor's is open anyway.
 Direction middle(const std::vector<View>& views, const View& best) {
   Direction sum{};
   for (const View& view : views) {
@@ -117,27 +108,13 @@ Viewpoints estimate_viewpoints(const Surface& surface, const Kernels& kernels) {
     view.share = narrow.visible_share(at.at);
     out.visible = std::max(out.visible, wide.visible_share(at.at));
   }
-  if (out.visible < kLeastVisible) return out;
+  if (out.visible < kMinimumVisible) return out;
   const View best = *std::max_element(
       views.begin(), views.end(), [](const View& a, const View& b) { return a.share < b.share; });
   const View found = best_along(narrow, middle(views, best));
   out.candidates = {place(centroid, found.direction, found.radius),
                     place(centroid, found.direction, -found.radius)};
   return out;
-}
-
-void orient(Surface& surface, const Viewpoint& toward) {
-  const Cloud& p = surface.points;
-  Cloud& n = surface.normals;
-  const auto x = static_cast<float>(toward.at[0]), y = static_cast<float>(toward.at[1]),
-             z = static_cast<float>(toward.at[2]);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const float side = (n.x[i] * (x - p.x[i]) + n.y[i] * (y - p.y[i])) + n.z[i] * (z - p.z[i]);
-    if (!(side < 0)) continue;
-    n.x[i] = -n.x[i];
-    n.y[i] = -n.y[i];
-    n.z[i] = -n.z[i];
-  }
 }
 
 }  // namespace emtr

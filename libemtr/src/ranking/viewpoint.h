@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "geometry/surface.h"
@@ -9,6 +10,10 @@ namespace emtr {
 /// A place from which a cloud may have been scanned, in the cloud's own normalized frame.
 struct Viewpoint {
   double at[3] = {};
+
+  std::array<float, 3> in_float() const {
+    return {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])};
+  }
 };
 
 /// All that is known of where a cloud's sensor stood.
@@ -21,18 +26,15 @@ struct Viewpoints {
   double visible = 0;
 };
 
-/// The share that must be visible for an estimate. Of closed models 0.6 to 0.74 is, of scans,
-/// several frames fused into one included, more than 0.8.
-constexpr double kLeastVisible = 0.8;
+/// The share that must be visible for an estimate. In closed models 0.6 to 0.74 is, in scans,
+/// several scans fused into one included, more than 0.8.
+constexpr double kMinimumVisible = 0.8;
 
 Viewpoints given_viewpoint(const Surface& surface, const Viewpoint& at, const Kernels& kernels);
 
-/// The middle of those places that see most, of 400 around the cloud: 100 directions from its
-/// centroid, at radii of 1.26 to 8, the normalized frame's being 1. Not nearer: from inside, a
-/// closed model is as visible as a room. The signs of the normals do not matter.
+/// Returns the middle of those places that see most, among 400 around the cloud: 100 directions
+/// from its centroid, at radii of 1.26 to 8, the normalized frame's being 1. Not nearer: from
+/// inside, a closed model is as visible as a room. The signs of the normals do not matter.
 Viewpoints estimate_viewpoints(const Surface& surface, const Kernels& kernels);
-
-/// Turns each normal to the side of the viewpoint.
-void orient(Surface& surface, const Viewpoint& toward);
 
 }  // namespace emtr

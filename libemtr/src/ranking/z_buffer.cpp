@@ -6,11 +6,13 @@
 #include <numeric>
 
 #include "geometry/transform.h"
+#include "ranking/cube_map.h"
 
 namespace emtr {
 namespace {
 
-constexpr float kLeastCosine = 0.1f;  // no surface seen more askance falls away further than this
+constexpr float kMinimumCosine =
+    0.1f;  // a surface seen more askance falls away no further than at this
 
 double mean(const std::vector<float>& v) {
   return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
@@ -39,43 +41,22 @@ void ZBuffer::measure(const double viewpoint[3]) {
     const float along = std::abs((dx * n.x[i] + dy * n.y[i]) + dz * n.z[i]);
     // A point without a normal (NaN) fails the comparison, and is taken to face the viewpoint.
     float cosine = along < range ? along / range : 1.0f;
-    cosine = cosine > kLeastCosine ? cosine : kLeastCosine;
+    cosine = cosine > kMinimumCosine ? cosine : kMinimumCosine;
     range_[i] = range;
     allowance_[i] = leaf + bin * std::sqrt(1 / (cosine * cosine) - 1);
   }
 }
 
-/// Of each face only the window that holds something has bins: a distant viewpoint sees a cloud in
-/// a few of millions.
 std::size_t ZBuffer::find_bins(const DirectionBins& bins) {
   const std::size_t n = surface_.points.size();
-  struct Window {
-    std::int32_t low[2], high[2] = {-1, -1};
-    std::size_t first = 0;
-  } windows[6];
-  for (Window& w : windows) w.low[0] = w.low[1] = bins.side();
+  CubeMap map(bins.side());
   for (std::size_t i = 0; i < n; ++i) {
-    const DirectionBins::Bin b = place_[i] = bins(x_[i], y_[i], z_[i]);
-    Window& w = windows[b.face];
-    w.low[0] = std::min(w.low[0], b.row);
-    w.low[1] = std::min(w.low[1], b.column);
-    w.high[0] = std::max(w.high[0], b.row);
-    w.high[1] = std::max(w.high[1], b.column);
+    place_[i] = bins(x_[i], y_[i], z_[i]);
+    map.include(place_[i]);
   }
-  std::size_t size = 0;
-  for (Window& w : windows) {
-    w.first = size;
-    if (w.high[0] < 0) continue;
-    size += static_cast<std::size_t>(w.high[0] - w.low[0] + 1) *
-            static_cast<std::size_t>(w.high[1] - w.low[1] + 1);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const DirectionBins::Bin& b = place_[i];
-    const Window& w = windows[b.face];
-    const std::int32_t at = (b.row - w.low[0]) * (w.high[1] - w.low[1] + 1) + b.column - w.low[1];
-    bin_[i] = static_cast<std::uint32_t>(w.first + static_cast<std::size_t>(at));
-  }
-  return size;
+  const std::size_t count = map.number_bins();
+  for (std::size_t i = 0; i < n; ++i) bin_[i] = static_cast<std::uint32_t>(map.index(place_[i]));
+  return count;
 }
 
 double ZBuffer::visible_share(const double viewpoint[3]) {
@@ -85,8 +66,8 @@ double ZBuffer::visible_share(const double viewpoint[3]) {
   const DirectionBins bins(viewpoint, centroid_.data(),
                            bin_width_ / std::max(mean(range_), bin_width_));
   transform(kernels_, points, bins.to_view(), x_.data(), y_.data(), z_.data());
-  const std::size_t size = find_bins(bins);
-  if (nearest_.size() < size) nearest_.resize(size);
+  const std::size_t count = find_bins(bins);
+  if (nearest_.size() < count) nearest_.resize(count);
   for (std::size_t i = 0; i < n; ++i) nearest_[bin_[i]] = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < n; ++i) nearest_[bin_[i]] = std::min(nearest_[bin_[i]], range_[i]);
   std::size_t seen = 0;

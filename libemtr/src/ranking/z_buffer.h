@@ -19,13 +19,14 @@ class ZBuffer {
 
   const std::array<double, 3>& centroid() const { return centroid_; }
 
-  /// Share of the points that no other hides from the viewpoint, 0 to 1: none in the same bin of
-  /// directions is nearer by more than a leaf and what the surface itself falls away in a bin.
+  /// Returns the share of the points that no other hides from the viewpoint, 0 to 1: none in the
+  /// same bin of directions is nearer by more than a leaf and what the surface itself falls away in
+  /// a bin.
   double visible_share(const double viewpoint[3]);
 
  private:
   void measure(const double viewpoint[3]);
-  std::size_t find_bins(const DirectionBins& bins);  ///< of all points; how many there may be
+  std::size_t find_bins(const DirectionBins& bins);  ///< returns how many bins there may be
 
   const Surface& surface_;
   double bin_width_;

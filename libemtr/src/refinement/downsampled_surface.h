@@ -4,18 +4,18 @@
 
 namespace emtr {
 
-/// The centroids of the cubes of side `leaf` that hold points (the cubes of voxel_grid(), ordered
-/// by z, then y, then x), each with the normal of all the cloud's own points in the cubes within
-/// `reach` leaves of its own. Finer than normals of the centroids alone, and without a search for
-/// neighbors: the cubes are in order, so a row of them is a difference of running sums.
-/// A centroid with fewer than `kLeastForNormal` points about it, or with all of them on one line,
+/// Returns the centroids of the voxels of side `leaf` that hold points (those of voxel_grid(),
+/// ordered by z, then y, then x), each with the normal of all the cloud's own points in the voxels
+/// within `reach` leaves of its own. Finer than normals of the centroids alone, and without a
+/// search for neighbors: the voxels are in order, so a row of them is a difference of running sums.
+/// A centroid with fewer than `kMinimumForNormal` points about it, or with all of them on one line,
 /// has no normal. On normalized clouds only, `leaf` of 2e-3 and more.
 Surface downsample_surface(const Cloud& cloud, double leaf, double reach = 2.0);
 
-/// The same centroids with the mean of the normals given for the points of their own cube, see
-/// mean_normals().
+/// Returns the same centroids with the mean of the user's normals of the points in their own voxel,
+/// see mean_normals().
 Surface downsample_surface(const Cloud& cloud, const Cloud& normals, double leaf);
 
-constexpr int kLeastForNormal = 5;
+constexpr int kMinimumForNormal = 5;
 
 }  // namespace emtr

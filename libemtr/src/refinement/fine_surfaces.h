@@ -2,23 +2,24 @@
 
 #include <memory>
 
-#include "preprocessing/normalization.h"
+#include "geometry/surface.h"
 #include "kernels/kernels.h"
 #include "neighbors/neighbors.h"
-#include "refinement/downsampled_surface.h"
+#include "preprocessing/normalization.h"
 
 namespace emtr {
 
-/// Both clouds as finely as their points allow, for the last steps: refinement and agreement.
+/// Both clouds as finely as their points allow, for the last steps: refinement and overlap.
 struct FineSurfaces {
-  Surface source, target;  ///< of one leaf
+  SharedSurface source, target;  ///< with the same leaf
   /// Nearest points of each, within three leaves at least.
   std::unique_ptr<Neighbors> near_source, near_target;
 
-  double leaf() const { return source.leaf; }
+  double leaf() const { return source->leaf; }
 };
 
-/// At the leaf asked for (normalized frame), or as fine as the sparser cloud allows.
+/// Downsamples both at the leaf asked for (normalized frame), or as finely as the sparser cloud
+/// allows.
 FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, const Kernels& kernels);
 
 }  // namespace emtr

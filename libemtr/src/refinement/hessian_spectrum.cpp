@@ -10,7 +10,7 @@ namespace emtr {
 HessianSpectrum hessian_spectrum(const NormalEquations& sums) {
   using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
   HessianSpectrum out;
-  out.free = 6;
+  out.unconstrained = 6;
   if (!(sums.weights > 0)) return out;
   const double* t = sums.tangents;
   const Eigen::Vector3d center = Eigen::Vector3d::Map(t + 1) / t[0];
@@ -19,7 +19,7 @@ HessianSpectrum hessian_spectrum(const NormalEquations& sums) {
   if (!(out.radius > 0)) return out;  // all on one point
   Matrix6 H;
   sums.normal_matrix(H.data());
-  // J about the centre: (y - c) x n = y x n - c x n.
+  // J about the center: (y - c) x n = y x n - c x n.
   Matrix6 about = Matrix6::Identity();
   about.topRightCorner<3, 3>() << 0, center.z(), -center.y(), -center.z(), 0, center.x(),
       center.y(), -center.x(), 0;
@@ -27,22 +27,22 @@ HessianSpectrum hessian_spectrum(const NormalEquations& sums) {
   H = about * H * about.transpose() / sums.weights;
   const Eigen::SelfAdjointEigenSolver<Matrix6> solver(H);
   for (int k = 0; k < 6; ++k) {
-    out.values[k] = std::max(0.0, solver.eigenvalues()[k]);
-    for (int i = 0; i < 6; ++i) out.directions[k][i] = solver.eigenvectors()(i, k);
+    out.eigenvalues[k] = std::max(0.0, solver.eigenvalues()[k]);
+    for (int i = 0; i < 6; ++i) out.eigenvectors[k][i] = solver.eigenvectors()(i, k);
   }
-  out.free = static_cast<int>(
-      std::count_if(out.values, out.values + 6, [](double v) { return v < kUnconstrainedEigenvalue; }));
+  out.unconstrained = static_cast<int>(std::count_if(
+      out.eigenvalues, out.eigenvalues + 6, [](double v) { return v < kUnconstrainedEigenvalue; }));
   return out;
 }
 
-int unconstrained_within(const HessianSpectrum& hessian_spectrum, const std::vector<Prior::Limit>& limits) {
+int unconstrained_within(const HessianSpectrum& spectrum, const std::vector<Prior::Limit>& limits) {
   using Matrix = Eigen::MatrixXd;
-  if (!(hessian_spectrum.radius > 0)) return hessian_spectrum.free;
-  // Of a motion (rotation times radius, shift of the centre) the rotation vector and the shift at
-  // the origin.
-  const Eigen::Vector3d c = Eigen::Vector3d::Map(hessian_spectrum.center) / hessian_spectrum.radius;
+  if (!(spectrum.radius > 0)) return spectrum.unconstrained;
+  // Turns a motion (rotation times radius, translation of the center) into the rotation vector and
+  // the translation at the origin.
+  const Eigen::Vector3d c = Eigen::Vector3d::Map(spectrum.center) / spectrum.radius;
   Matrix motion = Matrix::Identity(6, 6);
-  motion.topLeftCorner<3, 3>() /= hessian_spectrum.radius;
+  motion.topLeftCorner<3, 3>() /= spectrum.radius;
   motion.bottomLeftCorner<3, 3>() << 0, -c.z(), c.y(), c.z(), 0, -c.x(), -c.y(), c.x(), 0;
   Matrix fixed(0, 6);
   for (const Prior::Limit& limit : limits) {
@@ -50,16 +50,16 @@ int unconstrained_within(const HessianSpectrum& hessian_spectrum, const std::vec
     fixed.conservativeResize(fixed.rows() + 1, 6);
     fixed.bottomRows<1>() = Eigen::Map<const Eigen::RowVectorXd>(limit.J, 6) * motion;
   }
-  if (fixed.rows() == 0) return hessian_spectrum.free;
+  if (fixed.rows() == 0) return spectrum.unconstrained;
   const Eigen::JacobiSVD<Matrix> svd(fixed, Eigen::ComputeFullV);
-  const Matrix left = svd.matrixV().rightCols(6 - svd.rank());
+  const Matrix admitted = svd.matrixV().rightCols(6 - svd.rank());
   Matrix H = Matrix::Zero(6, 6);
   for (int k = 0; k < 6; ++k) {
-    const auto direction = Eigen::Map<const Eigen::VectorXd>(hessian_spectrum.directions[k], 6);
-    H += hessian_spectrum.values[k] * direction * direction.transpose();
+    const auto direction = Eigen::Map<const Eigen::VectorXd>(spectrum.eigenvectors[k], 6);
+    H += spectrum.eigenvalues[k] * direction * direction.transpose();
   }
-  if (left.cols() == 0) return 0;
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(left.transpose() * H * left);
+  if (admitted.cols() == 0) return 0;
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(admitted.transpose() * H * admitted);
   return static_cast<int>((solver.eigenvalues().array() < kUnconstrainedEigenvalue).count());
 }
 

@@ -19,17 +19,17 @@ void NormalEquations::normal_matrix(double matrix[36]) const {
     for (int j = i; j < 6; ++j) matrix[6 * i + j] = matrix[6 * j + i] = *h++;
 }
 
-/// Of one difference, with y its place: [|y|^2 I - y y^T, [y]x; -[y]x, I].
+/// Adds to H, for each difference with y its place, [|y|^2 I - y y^T, [y]x; -[y]x, I].
 void NormalEquations::full_matrix(double matrix[36]) const {
   normal_matrix(matrix);
   const double* y = tangents + 1;
   const double xx = tangents[4], xy = tangents[5], xz = tangents[6], yy = tangents[7],
                yz = tangents[8], zz = tangents[9];
-  const double turn[3][3] = {{yy + zz, -xy, -xz}, {-xy, xx + zz, -yz}, {-xz, -yz, xx + yy}};
+  const double rotation[3][3] = {{yy + zz, -xy, -xz}, {-xy, xx + zz, -yz}, {-xz, -yz, xx + yy}};
   const double both[3][3] = {{0, -y[2], y[1]}, {y[2], 0, -y[0]}, {-y[1], y[0], 0}};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      matrix[6 * i + j] += turn[i][j];
+      matrix[6 * i + j] += rotation[i][j];
       matrix[6 * i + 3 + j] += both[i][j];
       matrix[6 * (3 + j) + i] += both[i][j];
     }

@@ -3,40 +3,31 @@
 #include <cmath>
 
 #include "geometry/rigid.h"
+#include "geometry/surface.h"
 #include "refinement/normal_equations.h"
 
 namespace emtr {
 
-/// A point with its normal, beside each other in memory.
-struct Oriented {
-  float p[3], n[3];
-};
-
-/// Generalised ICP's plane to plane (Segal, Haehnel, Thrun 2009) in closed form, with Tukey's
+/// Generalized ICP's plane to plane (Segal, Haehnel, Thrun 2009) in closed form, with Tukey's
 /// weights. Each point is known well along its normal (variance eps) and badly in its plane
 /// (variance 1), so a pair's difference d has the covariance C = 2 - (1 - eps)(n n^T + m m^T).
 /// Along the mean u of the two normals its variance is 2 eps + (1 - eps)(1 - n.m), across u it is
 /// 2 within 15 percent for all that the gate lets through; scaled by 2 eps, d^T C^-1 d becomes
 ///   (a - eps) (u.d)^2 + eps |d|^2,   a = 2 eps / (2 eps + (1 - eps)(1 - n.m)):
 /// residuals to the mean plane, those of pairs whose normals differ counting less, and a weak pull
-/// in all directions that steadies what the surface leaves free.
+/// in all directions that steadies those that the surface leaves unconstrained.
 class PlaneToPlane {
  public:
-  /// `scale`: Tukey's cut-off of the residuals; `gate`: the least |n.m|.
+  /// `scale`: Tukey's cut-off of the residuals; `gate`: the minimum |n.m|.
   PlaneToPlane(const Rigid& pose, double scale, double eps, double gate)
       : pose_(pose), inverse_(1 / (scale * scale)), eps_(eps), gate_(gate) {}
 
-  void add(const Oriented& source, const Oriented& target, NormalEquations& sums) const {
-    double y[3], m[3], d[3];
-    const Eigen::Matrix3d& R = pose_.R;
-    for (int k = 0; k < 3; ++k) {
-      const double px = source.p[0], py = source.p[1], pz = source.p[2],
-                   nx = source.n[0], ny = source.n[1], nz = source.n[2];
-      y[k] = R(k, 0) * px + R(k, 1) * py + R(k, 2) * pz + pose_.t[k];
-      m[k] = R(k, 0) * nx + R(k, 1) * ny + R(k, 2) * nz;
-      d[k] = y[k] - target.p[k];
-    }
-    const double n[3] = {target.n[0], target.n[1], target.n[2]};
+  void add(const SurfacePoint& source, const SurfacePoint& target, NormalEquations& sums) const {
+    const Eigen::Vector3d p = Eigen::Vector3d(source.p[0], source.p[1], source.p[2]),
+                          q = Eigen::Vector3d(target.p[0], target.p[1], target.p[2]),
+                          n = Eigen::Vector3d(target.n[0], target.n[1], target.n[2]);
+    const Eigen::Vector3d y = pose_ * p, d = y - q;
+    const Eigen::Vector3d m = pose_.rotate({source.n[0], source.n[1], source.n[2]});
     const double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
     const double c = std::abs(cosine);
     if (!(c > gate_)) return;  // not for a NaN either
@@ -59,7 +50,7 @@ class PlaneToPlane {
                          v[1],
                          v[2]};
     sums.add_normal(J, e, w * variance * inverse);
-    sums.add_difference(y, d, tukey * eps_);
+    sums.add_difference(y.data(), d.data(), tukey * eps_);
     sums.weights += w;
     sums.squares += w * squared;
     sums.squared_influence += w * w * squared;

@@ -8,21 +8,23 @@ namespace emtr {
 
 Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& settings,
                const Kernels& kernels, const Prior* prior) {
-  const LocalRefinement refine_locally(fine.source, fine.target, fine.near_source.get(),
-                             fine.near_target.get(), LocalRefinementSettings(), kernels);
+  const LocalRefinement refinement(fine.source, fine.target, fine.near_source.get(),
+                                   fine.near_target.get(), LocalRefinementSettings(), kernels);
   LocalRefinement::Scratch scratch;
-  const LocalRefinementResult p = refine_locally(start, prior, scratch, thread_count(settings));
+  const LocalRefinementResult result = refinement(start, prior, scratch, thread_count(settings));
 
   Refined out;
   out.pose = start;
   // A pose that ran away from what the ranking chose is no refinement of it.
-  if (p.end == Termination::TooFewInliers || !within(p.pose, start, kDistinctPose)) return out;
+  if (result.end == Termination::TooFewInliers || !is_same_pose(result.pose, start, kDistinctPose))
+    return out;
   out.succeeded = true;
-  out.pose = p.pose;
-  out.rmse = p.rmse;
-  information(p, refine_locally.design_effect(p, scratch), out.information);
-  out.hessian_spectrum = hessian_spectrum(p.sums);
-  out.unconstrained = prior ? unconstrained_within(out.hessian_spectrum, prior->limits(p.pose)) : out.hessian_spectrum.free;
+  out.pose = result.pose;
+  out.rmse = result.rmse;
+  information(result, refinement.design_effect(result, scratch), out.information);
+  out.hessian_spectrum = hessian_spectrum(result.sums);
+  out.unconstrained = prior ? unconstrained_within(out.hessian_spectrum, prior->limits(result.pose))
+                            : out.hessian_spectrum.unconstrained;
   return out;
 }
 

@@ -5,16 +5,10 @@
 namespace emtr {
 namespace {
 
-Cloud gathered(const Cloud& cloud, const std::vector<Correspondence>& correspondences,
-               std::int32_t Correspondence::*side, std::size_t room) {
-  Cloud out;
-  out.resize(room);
-  for (std::size_t i = 0; i < correspondences.size(); ++i) {
-    const auto k = static_cast<std::size_t>(correspondences[i].*side);
-    out.x[i] = cloud.x[k];
-    out.y[i] = cloud.y[k];
-    out.z[i] = cloud.z[k];
-  }
+Cloud matched_points(const Cloud& cloud, const std::vector<Correspondence>& correspondences,
+                     std::int32_t Correspondence::*side, std::size_t padded_size) {
+  Cloud out = cloud.select(rows_of(correspondences, side));
+  out.resize(padded_size);
   return out;
 }
 
@@ -24,8 +18,8 @@ Consistency::Consistency(const Cloud& source, const Cloud& target,
                          const std::vector<Correspondence>& correspondences, double threshold,
                          const Kernels& kernels, int threads)
     : kernels_(kernels), n_(correspondences.size()), words_((n_ + 63) / 64) {
-  p_ = gathered(source, correspondences, &Correspondence::source, 64 * words_);
-  q_ = gathered(target, correspondences, &Correspondence::target, 64 * words_);
+  p_ = matched_points(source, correspondences, &Correspondence::source, 64 * words_);
+  q_ = matched_points(target, correspondences, &Correspondence::target, 64 * words_);
   bits_.resize(n_ * words_);
   degree_.resize(n_);
   PointsView p = p_.view(), q = q_.view();

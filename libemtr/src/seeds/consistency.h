@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "geometry/cloud.h"
-#include "correspondences/matching.h"
+#include "correspondences/correspondence.h"
 
 namespace emtr {
 
-/// Which correspondences can hold together: a rigid motion keeps lengths, so two correct ones have
-/// | |p_j - p_i| - |q_j - q_i| | below the noise. One bit a pair.
+/// Tells which correspondences can be correct together: a rigid motion keeps lengths, so two correct
+/// ones have | |p_j - p_i| - |q_j - q_i| | below the noise. Stores one bit for each pair.
 class Consistency {
  public:
   Consistency(const Cloud& source, const Cloud& target,
@@ -18,14 +18,14 @@ class Consistency {
 
   std::size_t size() const { return n_; }
   bool operator()(std::size_t i, std::size_t j) const { return row(i)[j / 64] >> (j % 64) & 1; }
-  /// With how many others correspondence i is consistent.
+  /// Returns the number of others with which correspondence i is consistent.
   std::size_t degree(std::size_t i) const { return degree_[i]; }
-  /// Second order (SC2): how many are consistent with both.
+  /// Returns the second order (SC2): the number of others that are consistent with both.
   std::size_t common(std::size_t i, std::size_t j) const {
     return kernels_.count_common(row(i), row(j), words_);
   }
 
-  const Cloud& p() const { return p_; }  ///< source points, one a correspondence, padded
+  const Cloud& p() const { return p_; }  ///< source points, one for each correspondence, padded
   const Cloud& q() const { return q_; }  ///< target points
 
  private:

@@ -7,17 +7,18 @@
 
 namespace emtr {
 
-/// A pose that a consistent subset of the correspondences agrees on.
+/// A pose on which a consistent subset of the correspondences agrees.
 struct Seed {
   Rigid pose;
   std::size_t inliers;  ///< correspondences with |q - (R p + t)| < threshold
 };
 
-/// Poses from the correspondences that agree with the most others, after the second order spatial
-/// compatibility of Chen et al., "SC2-PCR", CVPR 2022: around each of up to `most` correspondences
-/// the ones that share the most consistent partners with it, their rigid motion, and that motion's
-/// own inliers. The one with the most inliers first; near-copies are left out.
-std::vector<Seed> find_seeds(const Consistency& consistency, double threshold, std::size_t most,
-                             int threads);
+/// Returns the poses of up to `max_count` consistent subsets of the correspondences, the one with
+/// the most inliers first, by the second order spatial compatibility of Chen et al., "SC2-PCR", CVPR
+/// 2022. Each subset has a center, a correspondence with much support, and those that share the most
+/// consistent correspondences with the center. The pose is the subset's rigid motion, refitted to
+/// its own inliers. Centers close to one another make one seed.
+std::vector<Seed> find_seeds(const Consistency& consistency, double threshold,
+                             std::size_t max_count, int threads);
 
 }  // namespace emtr

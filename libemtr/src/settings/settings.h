@@ -5,14 +5,17 @@
 #include <cstddef>
 #include <string>
 
+#include "settings/choices.h"
+
 namespace emtr {
 
 using Settings = emtr_settings;
 
-constexpr double kAnyRotation = 180;  ///< degrees: no limit of an angle
-constexpr double kAnyTranslation = 1e12;    ///< of guess_translation: no limit
+constexpr int kMaxThreads = 1024;
+constexpr double kAnyRotation = 180;      ///< degrees: the value that limits no angle
+constexpr double kAnyTranslation = 1e12;  ///< the value of guess_translation that limits nothing
 
-/// One row of the table of settings: the public description and where the field lies.
+/// A row of the table of settings: the public description, and where the struct stores the field.
 struct Setting {
   emtr_setting_info info;
   std::size_t offset;
@@ -21,24 +24,23 @@ struct Setting {
 
 std::size_t setting_count();
 const Setting& setting(std::size_t index);
-const Setting& find_setting(const std::string& name);  ///< throws Error when unknown
 
-void set(Settings& settings, const std::string& name, double value);  ///< checks the range
+/// Returns the row of a setting; throws Error when there is none of that name.
+const Setting& find_setting(const std::string& name);
+
+/// Sets a setting by name; throws Error when the value is out of its range.
+void set(Settings& settings, const std::string& name, double value);
+
 double get(const Settings& settings, const Setting& setting);
 
-/// Null past the last.
+/// Returns the names of the presets by index, null past the last.
 const char* preset_name(std::size_t index);
 
-/// A preset's settings; throws Error when the name is unknown.
+/// Returns the settings of a preset; throws Error when there is none of that name.
 Settings preset(const std::string& name);
 
-/// Throws Error on a value out of range, a contradiction or a guess that is no rigid motion.
-void validate(const Settings& settings);
-
-/// Whether what is off, auto or always by its setting is to be done; with auto, where `wanted`.
-bool in_use(int setting, bool wanted);
-
-/// Threads to use: the setting, or as many as OpenMP would by itself.
+/// Returns how many threads to use: the setting, or as many as OpenMP would by itself, which is one
+/// inside an active parallel region unless nested ones are allowed.
 int thread_count(const Settings& settings);
 
 }  // namespace emtr

@@ -7,6 +7,7 @@ constexpr auto Integer = EMTR_SETTING_INTEGER;
 constexpr auto Real = EMTR_SETTING_REAL;
 constexpr auto Switch = EMTR_SETTING_SWITCH;
 constexpr auto Choice = EMTR_SETTING_CHOICE;
+constexpr const char* kWhen = "off,auto,always";      // by value of When
 constexpr double kExactInteger = 9007199254740992.0;  // 2^53
 
 constexpr Setting::Storage storage_of(const std::int32_t*) { return Setting::Storage::Int32; }
@@ -21,12 +22,12 @@ constexpr Setting::Storage storage_of(const double*) { return Setting::Storage::
 
 }  // namespace
 
-// The one place where a setting's unit, range, default and meaning stand. The values that the
-// paper gives are its own; the others were settled by measurement.
+// The one place where a setting's unit, range, default and meaning are declared. Values that the
+// paper gives are the paper's; the others were settled by measurement.
 const std::vector<Setting>& setting_table() {
   static const std::vector<Setting> rows = {
       SETTING(seed, Integer, "", 0, kExactInteger, 0, "", "seed of all random numbers", ""),
-      SETTING(threads, Integer, "threads", 0, 1024, 0, "",
+      SETTING(threads, Integer, "threads", 0, kMaxThreads, 0, "",
               "threads to use, 0 for as many as OpenMP would; the result does not depend on it",
               ""),
       SETTING(time_limit, Real, "seconds", 0, 1e9, 0, "",
@@ -46,7 +47,8 @@ const std::vector<Setting>& setting_table() {
       SETTING(max_tims, Integer, "pairs", 3, 1e8, 5000, "features and matches",
               "most pairs of correspondences made into TIMs", ""),
       SETTING(
-          features, Choice, "", 0, 1, 1, "features and matches",
+          features, Choice, "", EMTR_FEATURES_PCL, EMTR_FEATURES_SIMD, EMTR_FEATURES_SIMD,
+          "features and matches",
           "who computes normals and FPFH: PCL's own functions, or the same definition vectorised",
           "pcl,simd"),
       SETTING(seeds, Integer, "poses", 0, 10000, 200, "seeds",
@@ -82,24 +84,18 @@ const std::vector<Setting>& setting_table() {
       SETTING(velocity_limit, Real, "ranges", 1e-3, 1, 0.5, "particle swarm",
               "largest step of a gene in one iteration", ""),
       SETTING(
-          rotation_vector_steps, Choice, "", 0, 2, 1, "particle swarm",
+          rotation_vector_steps, Choice, "", EMTR_OFF, EMTR_ALWAYS, EMTR_AUTO, "particle swarm",
           "step by rotation vectors instead of Euler angles; auto: where no particle starts at a "
           "seed",
-          "off,auto,always"),
-      SETTING(restart_after, Integer, "iterations", 0, 1000000, 0, "particle swarm",
-              "iterations without a better pose after which particles are drawn anew, where none "
-              "starts at a seed; 0: never",
-              ""),
-      SETTING(restart_share, Real, "", 0, 1, 0.5, "particle swarm",
-              "share of either swarm that is drawn anew", ""),
+          kWhen),
       SETTING(transfer, Switch, "", 0, 1, 1, "knowledge transfer",
               "knowledge transfer between the tasks", ""),
       SETTING(transfer_probability, Real, "", 0, 1, 0.7, "knowledge transfer",
               "chance of a transfer in an iteration (rmp)", ""),
-      SETTING(arc_transfer, Choice, "", 0, 2, 1, "knowledge transfer",
+      SETTING(arc_transfer, Choice, "", EMTR_OFF, EMTR_ALWAYS, EMTR_AUTO, "knowledge transfer",
               "mix rotations along the shortest arc instead of angle by angle; auto: where no "
               "particle starts at a seed",
-              "off,auto,always"),
+              kWhen),
       SETTING(lambda_alpha_start, Real, "", 0, 1, 0.1, "knowledge transfer",
               "alpha's own share in its guide, at the start", ""),
       SETTING(lambda_alpha_end, Real, "", 0, 1, 0.7, "knowledge transfer",
@@ -120,26 +116,26 @@ const std::vector<Setting>& setting_table() {
               "begin on the sparse clouds; off: dense throughout", ""),
       SETTING(switch_fraction, Real, "", 0, 1, 0.6, "sparse to dense",
               "share of the iterations done on the sparse clouds (delta)", ""),
-      SETTING(neighbors, Choice, "", 0, 2, 0, "", "structure behind the look-ups; same results",
+      SETTING(neighbors, Choice, "", EMTR_NEIGHBORS_GRID, EMTR_NEIGHBORS_BRUTE_FORCE,
+              EMTR_NEIGHBORS_GRID, "", "structure of the nearest-neighbor queries; same results",
               "grid,kdtree,brute"),
       SETTING(candidates, Integer, "poses", 0, 10000, 12, "candidates",
-              "poses polished and ranked; 0: the swarm's best is the answer", ""),
+              "poses refined and ranked; 0: the swarm's best is the answer", ""),
       SETTING(free_space, Switch, "", 0, 1, 1, "candidates",
               "points in front of what the other scan saw count against a pose", ""),
-      SETTING(fallback_search, Choice, "", 0, 2, 1, "fallback_search",
-              "search again with more feature points and both signs of the normals",
-              "off,auto,always"),
-      SETTING(fallback_confidence, Real, "", 0, 1, 0.9, "fallback_search",
-              "escalate below this confidence", ""),
-      SETTING(fallback_points, Integer, "points", 100, 1e6, 24000, "fallback_search",
+      SETTING(fallback_search, Choice, "", EMTR_OFF, EMTR_ALWAYS, EMTR_AUTO, "fallback search",
+              "search again with more feature points and both signs of the normals", kWhen),
+      SETTING(fallback_confidence, Real, "", 0, 1, 0.9, "fallback search",
+              "with auto: search again below this confidence", ""),
+      SETTING(fallback_points, Integer, "points", 100, 1e6, 24000, "fallback search",
               "points of both feature clouds together", ""),
-      SETTING(fallback_correspondences, Integer, "matches", 3, 20000, 5000, "fallback_search",
+      SETTING(fallback_correspondences, Integer, "matches", 3, 20000, 5000, "fallback search",
               "most matches kept, those that stand out most among their nearest ten", ""),
-      SETTING(fallback_seeds, Integer, "poses", 1, 10000, 600, "fallback_search",
+      SETTING(fallback_seeds, Integer, "poses", 1, 10000, 600, "fallback search",
               "most poses made of spatially consistent matches", ""),
-      SETTING(fallback_candidates, Integer, "poses", 1, 10000, 200, "fallback_search",
-              "poses polished and ranked", ""),
-      SETTING(refine, Switch, "", 0, 1, 1, "refinement", "polish the answer on fine clouds", ""),
+      SETTING(fallback_candidates, Integer, "poses", 1, 10000, 200, "fallback search",
+              "poses refined and ranked", ""),
+      SETTING(refine, Switch, "", 0, 1, 1, "refinement", "refine the answer on fine clouds", ""),
       SETTING(refine_leaf, Real, "radii", 1e-3, 0.5, 0.01, "refinement", "leaf of the fine clouds",
               ""),
       SETTING(maximum_fitness, Real, "", 0, 1, 0.7, "verdict",
@@ -183,24 +179,24 @@ const std::vector<Preset>& preset_table() {
         {"fallback_seeds", 300},
         {"fallback_candidates", 100},
         {"refine_leaf", 0.015}}},
-      {"thorough", {{"fallback_search", 2}}},
-      // The method as published: the swarm alone, no seeds before it and no polish after it.
+      {"thorough", {{"fallback_search", EMTR_ALWAYS}}},
+      // The method as published: the swarm alone, no seeds before it and no refinement after it.
+      // Its refine_leaf is for the overlap and the rmse, which are taken on the fine clouds too.
       {"paper",
        {{"dense_points", 4000},
-        {"features", 0},
+        {"features", EMTR_FEATURES_PCL},
         {"max_tims", 100000},
         {"seeds", 0},
         {"injected_seeds", 0},
         {"translation_bound", 0.5},
         {"iterations", 100},
-        {"rotation_vector_steps", 0},
-        {"restart_after", 0},
-        {"arc_transfer", 0},
+        {"rotation_vector_steps", EMTR_OFF},
+        {"arc_transfer", EMTR_OFF},
         {"candidates", 0},
         {"free_space", 0},
-        {"fallback_search", 0},
+        {"fallback_search", EMTR_OFF},
         {"refine", 0},
-        {"refine_leaf", 0.015}}},  // of the overlap and the rmse alone
+        {"refine_leaf", 0.015}}},
   };
   return all;
 }

@@ -7,12 +7,12 @@
 
 namespace emtr {
 
-/// Every setting that has a name, with its value in preset "default".
+/// Returns every setting that has a name, with its value in preset "default".
 const std::vector<Setting>& setting_table();
 
 struct Preset {
   const char* name;
-  std::vector<std::pair<const char*, double>> changes;  ///< against the table
+  std::vector<std::pair<const char*, double>> changes;  ///< from the values of the table
 };
 
 const std::vector<Preset>& preset_table();

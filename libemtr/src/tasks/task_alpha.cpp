@@ -4,17 +4,17 @@
 
 namespace emtr {
 TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings, const Kernels& kernels,
-                     const MakeNeighbors& make)
+                     const MakeNeighbors& make_neighbors)
     : downsampled_(downsampled),
       kernels_(kernels),
       scale_sparse_(settings.scale_sparse * downsampled.leaf_sparse),
       scale_dense_(settings.scale_dense * downsampled.leaf_dense) {
-  const auto structure = [&](const Cloud& cloud, double scale, double leaf) {
-    return make(cloud, static_cast<float>(scale), static_cast<float>(leaf));
+  const auto neighbors_of = [&](const Cloud& cloud, double scale, double leaf) {
+    return make_neighbors(cloud, static_cast<float>(scale), static_cast<float>(leaf));
   };
-  target_sparse_ = structure(downsampled.target_sparse, scale_sparse_, downsampled.leaf_sparse);
-  target_dense_ = structure(downsampled.target_dense, scale_dense_, downsampled.leaf_dense);
-  source_dense_ = structure(downsampled.source_dense, scale_dense_, downsampled.leaf_dense);
+  target_sparse_ = neighbors_of(downsampled.target_sparse, scale_sparse_, downsampled.leaf_sparse);
+  target_dense_ = neighbors_of(downsampled.target_dense, scale_dense_, downsampled.leaf_dense);
+  source_dense_ = neighbors_of(downsampled.source_dense, scale_dense_, downsampled.leaf_dense);
 }
 
 void TaskAlpha::residuals(const Cloud& points, const Rigid& pose, const Neighbors& neighbors,

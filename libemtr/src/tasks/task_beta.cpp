@@ -10,9 +10,9 @@ namespace {
 
 using Rows = std::vector<std::size_t>;
 
-/// Halves the rows across the longest side of their box, again and again, down to whole blocks
-/// that lie close together in both clouds.
-void gather(const std::vector<const std::vector<float>*>& axes, Rows::iterator begin,
+/// Orders the rows so that whole blocks lie close together in both clouds: halves them across the
+/// longest side of their box, recursively.
+void cluster(const std::vector<const std::vector<float>*>& axes, Rows::iterator begin,
             Rows::iterator end) {
   constexpr std::ptrdiff_t block = 16;
   if (end - begin <= block) return;
@@ -29,18 +29,8 @@ void gather(const std::vector<const std::vector<float>*>& axes, Rows::iterator b
   std::nth_element(begin, middle, end, [longest](std::size_t a, std::size_t b) {
     return std::make_pair((*longest)[a], a) < std::make_pair((*longest)[b], b);
   });
-  gather(axes, begin, middle);
-  gather(axes, middle, end);
-}
-
-Cloud in_order(const Cloud& cloud, const Rows& rows) {
-  Cloud out;
-  for (const std::size_t i : rows) {
-    out.x.push_back(cloud.x[i]);
-    out.y.push_back(cloud.y[i]);
-    out.z.push_back(cloud.z[i]);
-  }
-  return out;
+  cluster(axes, begin, middle);
+  cluster(axes, middle, end);
 }
 
 }  // namespace
@@ -52,9 +42,9 @@ TaskBeta::TaskBeta(const Tims& tims, double tau, const Settings& settings, const
   const Cloud &p = tims.ends_source, &q = tims.ends_target;
   Rows rows(p.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  gather({&p.x, &p.y, &p.z, &q.x, &q.y, &q.z}, rows.begin(), rows.end());
-  source_ = in_order(p, rows);
-  target_ = in_order(q, rows);
+  cluster({&p.x, &p.y, &p.z, &q.x, &q.y, &q.z}, rows.begin(), rows.end());
+  source_ = p.select(rows);
+  target_ = q.select(rows);
 }
 
 double TaskBeta::evaluate(const Eigen::Matrix3d& rotation) const {

@@ -7,16 +7,16 @@
 
 namespace emtr {
 
-/// Task beta: a rotation, scored on TIMs by the modified consensus. Lower is
-/// better: f = eta * #outliers + sum over inliers |q - R p|, inlier when |q - R p| < threshold.
+/// Task beta scores a rotation on TIMs by the modified consensus. Lower is better:
+/// f = eta * #outliers + sum over inliers |q - R p|, inlier when |q - R p| < threshold.
 class TaskBeta {
  public:
-  /// `tau` in the normalized frame.
+  /// Takes `tau` in the normalized frame.
   TaskBeta(const Tims& tims, double tau, const Settings& settings, const Kernels& kernels);
 
   double evaluate(const Eigen::Matrix3d& rotation) const;
 
-  bool informative() const { return tims_.kept() > 0; }
+  bool informative() const { return tims_.size() > 0; }
 
   static double threshold(double tau, const Settings& settings) {
     return settings.inlier_threshold * tau;

@@ -6,56 +6,60 @@ namespace emtr {
 namespace {
 
 struct Current {
-  CancellationToken* watch = nullptr;
-  bool owner = false;  // whether this is the thread that the watch was made on
+  CancellationToken* token = nullptr;
+  bool owner = false;  // whether the token was made on this thread
 };
-thread_local Current at_work;
+thread_local Current current_on_thread;
 
 }  // namespace
 
-CancellationToken::CancellationToken(OnProgress on_progress, double seconds, Clock::duration every)
-    : on_progress_(std::move(on_progress)), limit_(seconds), every_(every) {}
+CancellationToken::CancellationToken(OnProgress on_progress, double seconds,
+                                     Clock::duration interval)
+    : on_progress_(std::move(on_progress)), time_limit_(seconds), interval_(interval) {}
 
 bool CancellationToken::tell(const emtr_progress& progress) {
   progress_ = progress;
-  return stopped() || ask(Clock::now());
+  return stopped() || ask_caller(Clock::now());
 }
 
-void CancellationToken::look() {
+void CancellationToken::poll() {
   const Clock::time_point now = Clock::now();
-  if (now - asked_ >= every_ && ask(now)) throw Cancelled();
+  if (now - last_asked_ >= interval_ && ask_caller(now)) throw Cancelled();
 }
 
-bool CancellationToken::ask(Clock::time_point now) {
+bool CancellationToken::ask_caller(Clock::time_point now) {
   bool stop = false;
   if (on_progress_) {
-    const CancellationScope nobody(nullptr);  // the caller may come back into the library
+    const CancellationScope none(nullptr);  // the callback may call the library again
     try {
       stop = on_progress_(progress_);
     } catch (...) {
-      stopped_.store(true, std::memory_order_relaxed);  // the helpers too let go of their work
+      stopped_.store(true, std::memory_order_relaxed);  // the helpers too end their work
       throw;
     }
   }
-  asked_ = Clock::now();  // what the caller did with the time is its own
-  if (!stop && limit_ > 0 && std::chrono::duration<double>(now - start_).count() >= limit_)
+  last_asked_ = Clock::now();  // leaves the time that the callback took out of the interval
+  if (!stop && time_limit_ > 0 &&
+      std::chrono::duration<double>(now - start_).count() >= time_limit_)
     stop = late_ = true;
   if (stop) stopped_.store(true, std::memory_order_relaxed);
   return stop;
 }
 
-CancellationScope::CancellationScope(CancellationToken* watch, bool owner) : before_(at_work.watch), owned_before_(at_work.owner) {
-  at_work = {watch, owner};
+CancellationScope::CancellationScope(CancellationToken* token, bool owner)
+    : previous_(current_on_thread.token), previous_owner_(current_on_thread.owner) {
+  current_on_thread = {token, owner};
 }
 
-CancellationScope::~CancellationScope() { at_work = {before_, owned_before_}; }
+CancellationScope::~CancellationScope() { current_on_thread = {previous_, previous_owner_}; }
 
-CancellationToken* CancellationScope::current() { return at_work.watch; }
+CancellationToken* CancellationScope::current() { return current_on_thread.token; }
 
 void check_cancelled() {
-  if (!at_work.watch) return;
-  if (at_work.watch->stopped()) throw Cancelled();
-  if (at_work.owner) at_work.watch->look();
+  const Current& current = current_on_thread;
+  if (!current.token) return;
+  if (current.token->stopped()) throw Cancelled();
+  if (current.owner) current.token->poll();
 }
 
 }  // namespace emtr

@@ -4,8 +4,8 @@
 
 namespace emtr {
 
-/// What a caller put into an enum of the C API. In C that may be any number; in C++ it is undefined
-/// what reading one that the enum does not name gives, so its bytes are read instead.
+/// Returns the number that a caller put into an enum of the C API. A C program may put any number
+/// there, and to read one that the enum does not name is undefined in C++, so this reads the bytes.
 template <class Enum>
 int number_of(const Enum& value) noexcept {
   static_assert(sizeof(Enum) == sizeof(int), "an enum of the C API is as large as an int");

@@ -7,7 +7,7 @@
 
 namespace emtr {
 
-/// What the engine throws; the C API turns it into a status and a message.
+/// The engine's exception; the C API turns it into a status and a message.
 class Error : public std::runtime_error {
  public:
   Error(emtr_status status, const std::string& message)

@@ -4,7 +4,7 @@
 
 namespace emtr {
 
-/// Wall time since it was made or last asked.
+/// Measures the wall time since it was made or last asked.
 class Stopwatch {
  public:
   double lap() {
@@ -18,17 +18,17 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Wall time of a scope, also of one that is left by an exception.
+/// Adds the wall time of a scope, also of one that is left by an exception.
 class Timed {
  public:
   explicit Timed(double& seconds) : seconds_(seconds) {}
-  ~Timed() { seconds_ = watch_.lap(); }
+  ~Timed() { seconds_ += stopwatch_.lap(); }
   Timed(const Timed&) = delete;
   Timed& operator=(const Timed&) = delete;
 
  private:
   double& seconds_;
-  Stopwatch watch_;
+  Stopwatch stopwatch_;
 };
 
 }  // namespace emtr

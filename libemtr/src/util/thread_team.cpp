@@ -1,114 +1,66 @@
 #include "util/thread_team.h"
 
-#include <signal.h>
-#include <sys/mman.h>
+#include <omp.h>
 
 #include <chrono>
-#include <exception>
-#include <new>
-#include <system_error>
-#include <thread>
-#include <vector>
+#include <utility>
+
+#include "util/blocked_signals.h"
+#include "util/default_arithmetic.h"
+#include "util/openmp_pool.h"
+#include "util/thread_probe.h"
 
 namespace emtr {
 namespace {
 
-/// While it lives, no signal is delivered to this thread or to those that it starts: handlers run
-/// on threads of the caller's, as if ours were not there.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
- private:
-  sigset_t before_;
-};
-
-/// Whether a thread can have its first allocations: where it gets no heap of its own, each is some
-/// pages. Asked of the system, as the C library may have room left in a heap that it does not
-/// share.
-bool room_to_begin() {
-  constexpr std::size_t enough = std::size_t{1} << 20;
-  void* room = mmap(nullptr, enough, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  return room != MAP_FAILED && munmap(room, enough) == 0;
-}
+thread_local ThreadTeam* leading = nullptr;  // the team whose body this thread runs
 
 }  // namespace
 
-class ThreadTeam::Helpers {
- public:
-  explicit Helpers(ThreadTeam& team) : team_(team) {
-    if (team.size() <= 1) return;
-    const SignalsHeld held;
-    threads_.reserve(team.size() - 1);
-    // Where the system has no more threads to give, half of those that it has given do all of the
-    // work, to the same result: the stacks of all would leave no memory for it.
-    for (std::size_t wanted = team.size() - 1; wanted > 0 && !start(wanted);) {
-      wanted = threads_.size() / 2;
-      stop();
-    }
-  }
-  ~Helpers() { stop(); }
-  Helpers(const Helpers&) = delete;
-  Helpers& operator=(const Helpers&) = delete;
-
- private:
-  /// False when there are not so many, or nothing is left beside them. They begin when all are
-  /// there, and nobody else takes memory meanwhile: a thread whose first allocation fails, that of
-  /// its thread-local data, ends the process.
-  bool start(std::size_t wanted) {
-    std::unique_lock<std::mutex> gate(team_.mutex_);
-    try {
-      for (std::size_t thread = 1; thread <= wanted; ++thread)
-        threads_.emplace_back([this, thread] { begin(thread); });
-    } catch (const std::system_error&) {
-      team_.dismissed_ = true;
-    } catch (const std::bad_alloc&) {
-      team_.dismissed_ = true;
-    }
-    team_.idle_.wait(gate, [&] { return team_.dismissed_ || team_.begun_ == wanted; });
-    return !team_.dismissed_;
-  }
-
-  void begin(std::size_t thread) {
-    {
-      const std::lock_guard<std::mutex> gate(team_.mutex_);
-      if (team_.dismissed_) return;
-      if (!room_to_begin()) {
-        team_.dismissed_ = true;
-        team_.idle_.notify_one();
-        return;
-      }
-      check_cancelled();  // looks at our thread-local data, and this at that of the exceptions
-      [[maybe_unused]] const volatile int none = std::uncaught_exceptions();  // else left out: pure
-      ++team_.begun_;
-    }
-    team_.idle_.notify_one();
-    team_.follow(thread);
-  }
-
-  void stop() {
-    team_.dismiss();
-    for (std::thread& thread : threads_) thread.join();
-    threads_.clear();
-    team_.dismissed_ = false;
-    team_.begun_ = 0;
-  }
-
-  ThreadTeam& team_;
-  std::vector<std::thread> threads_;
-};
-
 void ThreadTeam::with(int threads, const std::function<void(ThreadTeam&)>& body) {
-  ThreadTeam team(static_cast<std::size_t>(threads));
-  const Helpers helpers(team);
-  body(team);
+  if (leading && leading->serves(threads)) return body(*leading);
+  RegionOpening opening(threads);
+  ThreadTeam team(static_cast<std::size_t>(opening.threads()));
+  if (team.size() == 1) return body(team);
+  const bool new_threads = opening.makes_threads();
+  std::exception_ptr failure;
+#pragma omp parallel num_threads(opening.threads())
+  {
+    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+    const bool ready = thread == 0 || !new_threads || team.begin();
+    if (new_threads) {
+#pragma omp barrier
+    }
+    if (thread == 0) {
+      opening.begun();
+      ThreadTeam* const before = std::exchange(leading, &team);
+      try {
+        body(team);
+      } catch (...) {  // thrown on below: no exception may leave a region
+        failure = std::current_exception();
+      }
+      leading = before;
+      team.dismiss();
+    } else if (ready) {
+      team.follow(thread);
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+bool ThreadTeam::serves(int threads) const {
+  return threads > 1 && size() <= static_cast<std::size_t>(threads) && !job_ &&
+         watch_ == CancellationScope::current();
+}
+
+/// One thread after the other, while nobody else takes memory: a thread whose first allocation
+/// fails, that of its thread-local data, ends the process.
+bool ThreadTeam::begin() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!room_to_begin()) return false;
+  check_cancelled();  // looks at our thread-local data, and this at that of the exceptions
+  [[maybe_unused]] const volatile int none = std::uncaught_exceptions();  // else left out: pure
+  return true;
 }
 
 void ThreadTeam::parallel(std::size_t n, const Job& job) {
@@ -124,7 +76,9 @@ void ThreadTeam::parallel(std::size_t n, const Job& job) {
   wake_.notify_all();
   work(0);
   wait_for_helpers();
+  job_ = nullptr;
   if (failure_) std::rethrow_exception(failure_);
+  if (watch_ && watch_->stopped()) throw Cancelled();
 }
 
 /// Meanwhile the run's own thread goes on asking its caller.
@@ -145,6 +99,10 @@ void ThreadTeam::wait_for_helpers() {
 }
 
 void ThreadTeam::follow(std::size_t thread) {
+  // The pool's threads are as whoever opened the first region made them. At work they take no
+  // signals: handlers run on threads of the caller's.
+  const BlockedSignals blocked;
+  const DefaultArithmetic arithmetic;
   const bool owner = false;
   const CancellationScope watched(watch_, owner);
   std::unique_lock<std::mutex> lock(mutex_);
@@ -166,6 +124,8 @@ void ThreadTeam::work(std::size_t thread) {
       (*job_)(i, thread);
       check_cancelled();
     }
+  } catch (const Cancelled&) {  // not in the place of what the caller threw when it was asked
+    next_ = size_;
   } catch (...) {  // thrown on by parallel()
     fail();
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
@@ -12,13 +11,14 @@
 
 namespace emtr {
 
-/// The threads of one stage of the work. They end with it: a process that forks afterwards carries
-/// no pool that its child would wait for. Between two pieces of work they sleep, as threads that
-/// spin are slower than one alone on a machine with other work to do.
+/// The threads of one OpenMP parallel region. Between two pieces of work they sleep, as threads
+/// that spin are slower than one alone on a machine with other work to do; between two regions it
+/// is OpenMP that has them spin. So a registration opens one for all of its stages.
 class ThreadTeam {
  public:
-  /// Runs body(team) on the calling thread, with up to `threads` threads to help it. Throws what
-  /// the body throws.
+  /// Runs body(team) on the calling thread, in a parallel region with up to `threads` threads.
+  /// Throws what the body throws. Inside the body of another team of the same run, outside of its
+  /// jobs, the body gets that team.
   static void with(int threads, const std::function<void(ThreadTeam&)>& body);
 
   /// At most this many threads; their numbers in a job are below it.
@@ -31,9 +31,9 @@ class ThreadTeam {
   void parallel(std::size_t n, const Job& job);
 
  private:
-  class Helpers;
-
   explicit ThreadTeam(std::size_t threads) : threads_(threads) {}
+  bool begin();                     ///< takes the memory that a new thread needs, if there is any
+  bool serves(int threads) const;   ///< whether a body that asks for so many can have this team
   void follow(std::size_t thread);  ///< what the helpers do until they are dismissed
   void work(std::size_t thread);
   void wait_for_helpers();
@@ -48,7 +48,6 @@ class ThreadTeam {
   std::size_t size_ = 0;  // of the present piece of work
   std::atomic<std::size_t> next_{0};
   std::size_t busy_ = 0;   // helpers at it
-  std::size_t begun_ = 0;  // helpers that have taken the memory that each needs
   std::size_t round_ = 0;  // pieces of work given out so far
   bool open_ = false;      // helpers that wake too late for a piece leave it alone
   bool dismissed_ = false;
@@ -56,11 +55,12 @@ class ThreadTeam {
 };
 
 /// Runs job(i) once for each i < n on a team of its own, and throws what the first failing job
-/// threw. Jobs that keep their results by i make a whole that does not depend on the threads.
+/// threw. Jobs that keep their results by i make a whole that does not depend on the threads. The
+/// team has all threads even for a few jobs: OpenMP ends those of its pool that a region leaves
+/// out.
 template <class Job>
 void parallel_for(std::size_t n, int threads, const Job& job) {
-  const int most = static_cast<int>(std::min(n, static_cast<std::size_t>(threads)));
-  ThreadTeam::with(std::max(most, 1),
+  ThreadTeam::with(n > 1 ? threads : 1,
              [&](ThreadTeam& team) { team.parallel(n, [&](std::size_t i, std::size_t) { job(i); }); });
 }
 

@@ -5,22 +5,25 @@
 
 namespace emtr {
 
-/// How the best candidate stands among the others, and what may be believed of it.
+/// What may be believed of the best candidate, and what else may be the answer.
 struct Confidence {
-  double gap = 0;                 ///< score minus that of the best clearly different candidate
-  double confidence = 0;          ///< held probability that it is right, a multiple of 1e-6
-  std::vector<Candidate> others;  ///< clearly different from the best and from each other
+  double probability = 0;  ///< estimated, that it is right; a multiple of 1e-6
+  double score_gap = 0;    ///< its score minus that of the best clearly different candidate
+  std::vector<Candidate> alternatives;  ///< clearly different from it and from each other
 };
 
-/// `ranked`: of a pool, best first, not empty. `source`, `target`: points of the surfaces.
-Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t source, std::size_t target);
+/// Estimates the confidence in the best candidate. `ranked`: candidates, best first, not empty.
+/// `source`, `target`: numbers of points of the surfaces.
+Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t source,
+                               std::size_t target);
 
-/// The confidence once the refined surfaces have been laid on each other, see surface_mismatch().
-double lower_confidence(double confidence, double surface_mismatch);
+/// Returns the probability once the refined surfaces have been laid on each other, see
+/// surface_mismatch().
+double lower_confidence(double probability, double surface_mismatch);
 
-/// Why the best candidate is held to be right, or not. `slides`: the surfaces do not hold it in all
-/// directions. `correspondences`: how many matches there were.
-emtr_reason reason(const Candidate& best, const Confidence& standing, bool unconstrained,
+/// Tells why the best candidate is taken to be right, or not. `unconstrained`: the surfaces leave
+/// some direction open. `correspondences`: how many matches there were.
+emtr_reason reason(const Candidate& best, const Confidence& confidence, bool unconstrained,
                    std::size_t correspondences, const Settings& settings);
 
 }  // namespace emtr

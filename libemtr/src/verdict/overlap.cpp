@@ -11,61 +11,53 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kMost = 5000;  // for a share to half a per cent
+constexpr std::size_t kMaximumPoints = 5000;  // for a share to half a per cent
 // Distance to the plane over distance to the point where surfaces cross within a leaf: measured on
-// scans that do not belong together (median 0.7, some 0.8). Noise alone comes near it: `kRoom`
+// scans that do not belong together (median 0.7, some 0.8). Noise alone comes near it: the minimum
 // keeps the scale from shrinking to nothing there.
-constexpr double kAtRandom = 0.75, kRoom = 0.1;
+constexpr double kRandomFlatness = 0.75, kMinimumScale = 0.1;
 
 Cloud some(const Cloud& cloud) {
-  const std::size_t n = std::min(cloud.size(), kMost);
-  Cloud out;
-  out.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t row = i * cloud.size() / n;
-    out.x[i] = cloud.x[row];
-    out.y[i] = cloud.y[row];
-    out.z[i] = cloud.z[row];
-  }
-  return out;
+  std::vector<std::size_t> rows(std::min(cloud.size(), kMaximumPoints));
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i * cloud.size() / rows.size();
+  return cloud.select(rows);
 }
 
-/// Of the points of one cloud against the surface of the other.
-struct Side {
+/// How the points of one cloud lie on the surface of the other.
+struct OneWay {
   double overlap = 0;
   double rmse = std::numeric_limits<double>::quiet_NaN(), plane_rmse = rmse;
 
   double flatness() const { return plane_rmse / rmse; }
 };
 
-Side ask(const Cloud& cloud, const Rigid& pose, const Surface& surface, const Neighbors& near,
-         const Kernels& kernels) {
-  const Cloud still = some(cloud);
-  const std::size_t n = still.size();
-  Cloud asked;
-  asked.resize(n);
-  transform(kernels, still, pose, asked.x.data(), asked.y.data(), asked.z.data());
+OneWay evaluate_one_way(const Cloud& cloud, const Rigid& pose, const SharedSurface& surface,
+                        const Neighbors& near, const Kernels& kernels) {
+  const Cloud points = some(cloud);
+  const std::size_t n = points.size();
+  Cloud moved;
+  moved.resize(n);
+  transform(kernels, points, pose, moved.x.data(), moved.y.data(), moved.z.data());
   std::vector<std::int32_t> index(n);
   std::vector<float> squared(n);
-  near.nearest(asked.view(), index.data(), squared.data());
+  near.nearest(moved.view(), index.data(), squared.data());
 
-  double partners = 0, squares = 0, planes = 0, plane_squares = 0;
+  double correspondences = 0, squares = 0, planes = 0, plane_squares = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const auto d = static_cast<double>(squared[i]);
-    if (index[i] < 0 || d > surface.leaf * surface.leaf) continue;
-    ++partners;
+    if (index[i] < 0 || d > surface->leaf * surface->leaf) continue;
+    ++correspondences;
     squares += d;
-    const auto k = static_cast<std::size_t>(index[i]);
-    const Cloud &q = surface.points, &normal = surface.normals;
-    const float e = (normal.x[k] * (asked.x[i] - q.x[k]) + normal.y[k] * (asked.y[i] - q.y[k])) +
-                    normal.z[k] * (asked.z[i] - q.z[k]);
+    const SurfacePoint& q = surface.interleaved()[static_cast<std::size_t>(index[i])];
+    const float e = (q.n[0] * (moved.x[i] - q.p[0]) + q.n[1] * (moved.y[i] - q.p[1])) +
+                    q.n[2] * (moved.z[i] - q.p[2]);
     if (std::isnan(e)) continue;  // no normal
     ++planes;
     plane_squares += static_cast<double>(e) * static_cast<double>(e);
   }
-  Side out;
-  out.overlap = partners / static_cast<double>(n);
-  if (partners > 0) out.rmse = std::sqrt(squares / partners);
+  OneWay out;
+  out.overlap = correspondences / static_cast<double>(n);
+  if (correspondences > 0) out.rmse = std::sqrt(squares / correspondences);
   if (planes > 0) out.plane_rmse = std::sqrt(plane_squares / planes);
   return out;
 }
@@ -73,19 +65,21 @@ Side ask(const Cloud& cloud, const Rigid& pose, const Surface& surface, const Ne
 }  // namespace
 
 Overlap evaluate_overlap(const NormalizedPair& pair, const FineSurfaces& fine, const Rigid& pose,
-                const Kernels& kernels) {
-  const Side source = ask(pair.source, pose, fine.target, *fine.near_target, kernels);
-  const Side target = ask(pair.target, pose.inverse(), fine.source, *fine.near_source, kernels);
+                         const Kernels& kernels) {
+  const OneWay source =
+      evaluate_one_way(pair.source, pose, fine.target, *fine.near_target, kernels);
+  const OneWay target =
+      evaluate_one_way(pair.target, pose.inverse(), fine.source, *fine.near_source, kernels);
   const double flatness = (source.flatness() + target.flatness()) / 2;
   return {source.overlap, target.overlap, source.rmse, source.plane_rmse, flatness};
 }
 
-double surface_mismatch(const Overlap& agreement, const NormalizedPair& pair, const FineSurfaces& fine,
-                const Kernels& kernels) {
-  const double own =
-      std::max(ask(pair.source, {}, fine.source, *fine.near_source, kernels).flatness(),
-               ask(pair.target, {}, fine.target, *fine.near_target, kernels).flatness());
-  return (agreement.flatness - own) / std::max(kAtRandom - own, kRoom);
+double surface_mismatch(const Overlap& overlap, const NormalizedPair& pair,
+                        const FineSurfaces& fine, const Kernels& kernels) {
+  const double own = std::max(
+      evaluate_one_way(pair.source, {}, fine.source, *fine.near_source, kernels).flatness(),
+      evaluate_one_way(pair.target, {}, fine.target, *fine.near_target, kernels).flatness());
+  return (overlap.flatness - own) / std::max(kRandomFlatness - own, kMinimumScale);
 }
 
 }  // namespace emtr

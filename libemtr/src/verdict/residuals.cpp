@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "util/error.h"
 #include "neighbors/nearest_point.h"
 #include "preprocessing/cloud_reader.h"
+#include "util/error.h"
 #include "util/thread_team.h"
 
 namespace emtr {
@@ -47,7 +47,7 @@ class Reference {
     tree_ = std::make_unique<const NearestPoint>(cloud);
   }
 
-  /// Of a finite point in this cloud's frame.
+  /// Returns the distance of a finite point in this cloud's frame to the nearest point.
   double distance(const Point& p) const {
     double q[3];
     reader_.read(rows_[(*tree_)(in_box(p.data()).data())], q);
@@ -75,7 +75,7 @@ class Reference {
 
   const CloudReader& reader_;
   const std::string name_;
-  std::vector<std::size_t> rows_;  // of the finite points in the caller's memory
+  std::vector<std::size_t> rows_;  // of the finite points in the user's memory
   Point center_{};
   double inverse_ = 1;
   std::unique_ptr<const NearestPoint> tree_;
@@ -102,10 +102,11 @@ void one_way(const CloudReader& from, const CloudReader& to, const std::string& 
 }  // namespace
 
 void residuals(const emtr_cloud& source, const emtr_cloud& target, const Rigid& pose, int threads,
-               double* of_source, double* of_target) {
+               double* source_residuals, double* target_residuals) {
   const CloudReader from(source, "source cloud"), to(target, "target cloud");
-  if (of_source) one_way(from, to, "target cloud", pose, threads, of_source);
-  if (of_target) one_way(to, from, "source cloud", pose.inverse(), threads, of_target);
+  if (source_residuals) one_way(from, to, "target cloud", pose, threads, source_residuals);
+  if (target_residuals)
+    one_way(to, from, "source cloud", pose.inverse(), threads, target_residuals);
 }
 
 }  // namespace emtr

@@ -6,11 +6,12 @@
 
 namespace emtr {
 
-/// How far the points of each cloud are from the other, once `pose` has moved the source: the
-/// distance to the nearest point, the user's unit, NaN for points that are not finite. Either array
-/// may be null. The nearest point is found in floats relative to the other cloud's box, and its
-/// distance taken in double. Throws Error when a cloud cannot be read, or has no finite point.
+/// Measures how far the points of each cloud are from the other, once `pose` has moved the source:
+/// the distance to the nearest point, in the user's unit, NaN for points that are not finite.
+/// Either array may be null. The nearest point is found in floats relative to the other cloud's
+/// box, and its distance taken in double. Throws Error when a cloud cannot be read, or has no
+/// finite point.
 void residuals(const emtr_cloud& source, const emtr_cloud& target, const Rigid& pose, int threads,
-               double* of_source, double* of_target);
+               double* source_residuals, double* target_residuals);
 
 }  // namespace emtr

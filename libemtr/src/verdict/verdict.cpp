@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kFewMatches = 10;
 
-/// Share of the distances that are below the scale of rho.
+/// Returns the share of the distances that are below the scale of rho.
 double inlier_ratio(const std::vector<float>& squared, double scale) {
   const auto limit = static_cast<float>(scale) * static_cast<float>(scale);
   const auto inliers =
@@ -18,17 +18,18 @@ double inlier_ratio(const std::vector<float>& squared, double scale) {
   return static_cast<double>(inliers) / static_cast<double>(squared.size());
 }
 
-/// Mean dense fitness of the best pose that is a mode of its own; 1, the worst there is, when the
-/// swarm remembers no other.
-double other_mode(const Evolution& evolution, const Rigid& best, const TaskAlpha& alpha) {
+/// Returns the mean dense fitness of the best pose that is a different answer; 1, the worst there
+/// is, when the swarm remembers no other.
+double best_alternative(const Evolution& evolution, const Rigid& best, const TaskAlpha& alpha) {
   TaskAlpha::Scratch scratch;
-  double other = alpha.worst(EMTR_STAGE_DENSE);
+  double fitness = alpha.worst(EMTR_STAGE_DENSE);
   for (const Hypothesis& h : evolution.hypotheses) {
-    if (within(h.pose, best, kDistinctPose)) continue;
+    if (is_same_pose(h.pose, best, kDistinctPose)) continue;
     const bool known = evolution.stage == EMTR_STAGE_DENSE;
-    other = std::min(other, known ? h.fitness : alpha.evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
+    fitness =
+        std::min(fitness, known ? h.fitness : alpha.evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
   }
-  return other / alpha.worst(EMTR_STAGE_DENSE);
+  return fitness / alpha.worst(EMTR_STAGE_DENSE);
 }
 
 }  // namespace
@@ -43,10 +44,10 @@ Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& al
   v.fitness = (source.rho_sum + target.rho_sum) / alpha.worst(EMTR_STAGE_DENSE);
   v.inlier_ratio_source = inlier_ratio(source.squared, c);
   v.inlier_ratio_target = inlier_ratio(target.squared, c);
-  // Of a run that was stopped nobody waits for fitness that is not known yet.
+  // After a stop nobody waits for fitness that is not known yet.
   const bool known = !evolution.hypotheses.empty() && evolution.stage == EMTR_STAGE_DENSE;
-  v.fitness_gap = known || !evolution.stopped ? other_mode(evolution, pose, alpha) - v.fitness
-                                           : std::numeric_limits<double>::quiet_NaN();
+  v.fitness_gap = known || !evolution.stopped ? best_alternative(evolution, pose, alpha) - v.fitness
+                                              : std::numeric_limits<double>::quiet_NaN();
 
   if (evolution.stopped)
     v.reason = EMTR_REASON_INTERRUPTED;

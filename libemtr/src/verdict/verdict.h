@@ -4,7 +4,7 @@
 
 namespace emtr {
 
-/// How well a pose explains the clouds, and whether it is held to be right.
+/// How well a pose explains the clouds, and whether it is taken to be right.
 struct Verdict {
   bool registered = false;
   emtr_reason reason = EMTR_REASON_LOW_OVERLAP;

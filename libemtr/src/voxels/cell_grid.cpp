@@ -6,9 +6,9 @@
 namespace emtr {
 namespace {
 
-constexpr double kCellsPerPoint = 16;  // more would cost memory and time where nothing is
-constexpr double kFewCells = 4096;
-// Distances are taken in float: a point may seem nearer than it is by this share.
+constexpr double kCellsPerPoint = 16;  // more would cost memory and time for empty space
+constexpr double kMinimumCells = 4096;  // allowed for any cloud
+// Distances are computed in float: a point may seem nearer than it is by this share.
 constexpr double kRounding = 1e-6;
 
 }  // namespace
@@ -17,17 +17,17 @@ CellGrid::CellGrid(const Cloud& cloud, double side) : side_(side * (1 + 4 * kRou
   const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};
   double low[3], extent[3];
   for (int a = 0; a < 3; ++a) {
-    const auto [least, most] = std::minmax_element(axes[a]->begin(), axes[a]->end());
-    low[a] = cloud.size() ? double{*least} : 0;
-    extent[a] = cloud.size() ? double{*most} - low[a] : 0;
+    const auto [minimum, maximum] = std::minmax_element(axes[a]->begin(), axes[a]->end());
+    low[a] = cloud.size() ? double{*minimum} : 0;
+    extent[a] = cloud.size() ? double{*maximum} - low[a] : 0;
   }
   const auto cells = [&] {
     double product = 1;
     for (const double e : extent) product *= std::floor(e / side_) + 1;
     return product;
   };
-  const double most = kCellsPerPoint * static_cast<double>(cloud.size()) + kFewCells;
-  while (cells() > most) side_ *= 1.25;
+  const double max_cells = kCellsPerPoint * static_cast<double>(cloud.size()) + kMinimumCells;
+  while (cells() > max_cells) side_ *= 1.25;
   for (int a = 0; a < 3; ++a) size_[a] = static_cast<std::int64_t>(extent[a] / side_) + 1;
 
   const auto along = [&](int a, std::size_t i) {
@@ -46,15 +46,10 @@ CellGrid::CellGrid(const Cloud& cloud, double side) : side_(side * (1 + 4 * kRou
     begin_[c + 1] += begin_[c];
   }
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  sorted.resize(cloud.size());
   rows.resize(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const std::uint32_t at = next[cell[i]]++;
-    sorted.x[at] = cloud.x[i];
-    sorted.y[at] = cloud.y[i];
-    sorted.z[at] = cloud.z[i];
-    rows[at] = static_cast<std::int32_t>(i);
-  }
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    rows[next[cell[i]]++] = static_cast<std::int32_t>(i);
+  sorted = cloud.select(rows);
 }
 
 bool CellGrid::spans(int reach) const { return reach >= std::max({size_[0], size_[1], size_[2]}); }

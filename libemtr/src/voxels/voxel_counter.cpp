@@ -2,18 +2,12 @@
 
 #include <algorithm>
 
+#include "voxels/voxel_index.h"
+
 namespace emtr {
 namespace {
 
-/// std::floor(v * inverse) as PCL bins, which is a call for each point where the compiler may not
-/// assume SSE4.1.
-int cell(float v, float inverse) {
-  const float scaled = v * inverse;
-  const int truncated = static_cast<int>(scaled);
-  return truncated - (static_cast<float>(truncated) > scaled);
-}
-
-std::size_t bits(std::uint64_t word) {
+std::size_t count_bits(std::uint64_t word) {
   return static_cast<std::size_t>(__builtin_popcountll(word));
 }
 
@@ -31,27 +25,27 @@ VoxelCounter::VoxelCounter(const Cloud& cloud) : cloud_(cloud) {
 
 std::size_t VoxelCounter::operator()(float leaf) {
   const float inverse = 1.0f / leaf;
-  const int low_x = cell(x_.low, inverse), size_x = cell(x_.high, inverse) - low_x + 1;
-  const int low_y = cell(y_.low, inverse), size_y = cell(y_.high, inverse) - low_y + 1;
-  const int low_z = cell(z_.low, inverse), size_z = cell(z_.high, inverse) - low_z + 1;
+  const int low_x = voxel_index(x_.low, inverse), size_x = voxel_index(x_.high, inverse) - low_x + 1;
+  const int low_y = voxel_index(y_.low, inverse), size_y = voxel_index(y_.high, inverse) - low_y + 1;
+  const int low_z = voxel_index(z_.low, inverse), size_z = voxel_index(z_.high, inverse) - low_z + 1;
   const auto voxels = static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y) *
                       static_cast<std::size_t>(size_z);
   occupied_.assign(voxels / 64 + 1, 0);
 
-  // In two steps, the first of which is free of branches and jumps in memory.
+  // Takes two steps, so that the first has no branches and no jumps in memory.
   constexpr std::size_t batch = 1024;
   std::uint32_t keys[batch];
   for (std::size_t first = 0; first < cloud_.size(); first += batch) {
     const std::size_t n = std::min(batch, cloud_.size() - first);
     const float *x = &cloud_.x[first], *y = &cloud_.y[first], *z = &cloud_.z[first];
     for (std::size_t i = 0; i < n; ++i) {
-      const int column = (cell(z[i], inverse) - low_z) * size_y + (cell(y[i], inverse) - low_y);
-      keys[i] = static_cast<std::uint32_t>(column * size_x + (cell(x[i], inverse) - low_x));
+      const int column = (voxel_index(z[i], inverse) - low_z) * size_y + (voxel_index(y[i], inverse) - low_y);
+      keys[i] = static_cast<std::uint32_t>(column * size_x + (voxel_index(x[i], inverse) - low_x));
     }
     for (std::size_t i = 0; i < n; ++i) occupied_[keys[i] / 64] |= std::uint64_t{1} << keys[i] % 64;
   }
   std::size_t count = 0;
-  for (const std::uint64_t word : occupied_) count += bits(word);
+  for (const std::uint64_t word : occupied_) count += count_bits(word);
   return count;
 }
 

@@ -8,10 +8,10 @@
 
 namespace emtr {
 
-/// How many points voxel_grid() would make of a cloud, for many leaves in turn.
+/// Counts the points that voxel_grid() would make of a cloud, for many leaves in turn.
 class VoxelCounter {
  public:
-  /// Keeps a reference to the cloud, which has at least one point.
+  /// Keeps a reference to the cloud, which must have at least one point.
   explicit VoxelCounter(const Cloud& cloud);
 
   std::size_t operator()(float leaf);
@@ -22,7 +22,7 @@ class VoxelCounter {
   };
   const Cloud& cloud_;
   Range x_, y_, z_;
-  std::vector<std::uint64_t> occupied_;  // a bit for each voxel of the box about the cloud
+  std::vector<std::uint64_t> occupied_;  // a bit for each voxel of the cloud's bounding box
 };
 
 }  // namespace emtr

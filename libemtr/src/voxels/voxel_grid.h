@@ -4,8 +4,8 @@
 
 namespace emtr {
 
-/// pcl::VoxelGrid: one point, the centroid, for each cube of side `leaf` that holds points.
-/// On normalized clouds only, where the count of cubes cannot overflow.
+/// Returns the centroid of each voxel of side `leaf` that holds points, by pcl::VoxelGrid. Takes
+/// normalized clouds only, whose voxels are too few for PCL's indices to overflow.
 Cloud voxel_grid(const Cloud& cloud, float leaf);
 
 }  // namespace emtr

@@ -3,25 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "util/cancellation.h"
+#include "util/constants.h"
+#include "voxels/voxel_index.h"
 
 namespace emtr {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr double kCancelled = 0.1;  // a mean of unit vectors that is shorter has no direction
-constexpr int kBits = 21;           // of a key, for each axis
+constexpr double kMinimumLength = 0.1;  // a shorter mean of unit vectors has no direction
+constexpr int kBits = 21;               // of a voxel's number, for each axis
 
-std::int64_t cell(float v, float inverse) {
-  return static_cast<std::int64_t>(std::floor(v * inverse));
-}
-
-double to_centre(const Cloud& cloud, std::size_t i, float leaf) {
+double squared_distance_to_center(const Cloud& cloud, std::size_t i, float leaf) {
   const float inverse = 1.0f / leaf;
   const auto off = [&](float v) {
-    return double{v} - (static_cast<double>(cell(v, inverse)) + 0.5) * double{leaf};
+    return double{v} - (static_cast<double>(voxel_index(v, inverse)) + 0.5) * double{leaf};
   };
   const double x = off(cloud.x[i]), y = off(cloud.y[i]), z = off(cloud.z[i]);
   return x * x + y * y + z * z;
@@ -29,58 +25,58 @@ double to_centre(const Cloud& cloud, std::size_t i, float leaf) {
 
 }  // namespace
 
-/// Least significant digit first.
-void sort_by_voxel(std::vector<VoxelRow>& items, std::uint64_t most) {
+/// Sorts by radix, the least significant digit first.
+void sort_by_voxel(std::vector<VoxelRow>& items, std::uint64_t maximum) {
   constexpr int digit = 11;
-  std::vector<VoxelRow> other(items.size());
-  for (int shift = 0; shift < 64 && (most >> shift); shift += digit) {
+  std::vector<VoxelRow> sorted(items.size());
+  for (int shift = 0; shift < 64 && (maximum >> shift); shift += digit) {
     check_cancelled();  // a pass over a million items takes some milliseconds
     const auto bucket = [shift](const VoxelRow& item) {
-      return static_cast<std::size_t>(item.cube >> shift) & ((std::size_t{1} << digit) - 1);
+      return static_cast<std::size_t>(item.voxel >> shift) & ((std::size_t{1} << digit) - 1);
     };
     std::array<std::size_t, (std::size_t{1} << digit) + 1> begin{};
     for (const VoxelRow& item : items) ++begin[bucket(item) + 1];
     for (std::size_t b = 1; b < begin.size(); ++b) begin[b] += begin[b - 1];
-    for (const VoxelRow& item : items) other[begin[bucket(item)]++] = item;
-    items.swap(other);
+    for (const VoxelRow& item : items) sorted[begin[bucket(item)]++] = item;
+    items.swap(sorted);
   }
 }
 
 std::vector<VoxelRow> rows_by_voxel(const Cloud& cloud, float leaf) {
   const float inverse = 1.0f / leaf;
-  const auto digits = [&](float v) {
-    return static_cast<std::uint64_t>(cell(v, inverse) + (std::int64_t{1} << (kBits - 1)));
+  const auto along = [&](float v) {
+    return static_cast<std::uint64_t>(voxel_index(v, inverse) + (std::int64_t{1} << (kBits - 1)));
   };
   std::vector<VoxelRow> out(cloud.size());
-  std::uint64_t most = 0;
+  std::uint64_t maximum = 0;
   for (std::size_t i = 0; i < out.size(); ++i) {
     check_cancelled_each(i, 14);
-    out[i] = {digits(cloud.z[i]) << 2 * kBits | digits(cloud.y[i]) << kBits | digits(cloud.x[i]),
+    out[i] = {along(cloud.z[i]) << 2 * kBits | along(cloud.y[i]) << kBits | along(cloud.x[i]),
               static_cast<std::uint32_t>(i)};
-    most = std::max(most, out[i].cube);
+    maximum = std::max(maximum, out[i].voxel);
   }
-  sort_by_voxel(out, most);
+  sort_by_voxel(out, maximum);
   return out;
 }
 
 std::vector<std::uint32_t> one_row_per_voxel(const Cloud& cloud, float leaf) {
   std::vector<std::uint32_t> out;
-  std::uint64_t cube = 0;
-  double least = 0;
+  std::uint64_t voxel = 0;
+  double smallest = 0;
   const std::vector<VoxelRow> items = rows_by_voxel(cloud, leaf);
   for (std::size_t i = 0; i < items.size(); ++i) {
     check_cancelled_each(i, 14);
     const VoxelRow& item = items[i];
-    const double squared = to_centre(cloud, item.row, leaf);
-    if (out.empty() || item.cube != cube) {
+    const double squared = squared_distance_to_center(cloud, item.row, leaf);
+    if (out.empty() || item.voxel != voxel) {
       out.push_back(item.row);
-    } else if (squared < least) {
+    } else if (squared < smallest) {
       out.back() = item.row;
     } else {
       continue;
     }
-    cube = item.cube;
-    least = squared;
+    voxel = item.voxel;
+    smallest = squared;
   }
   std::sort(out.begin(), out.end());
   return out;
@@ -92,8 +88,8 @@ Cloud mean_normals(const Cloud& cloud, const Cloud& normals, float leaf) {
   for (std::size_t i = 0; i < items.size();) {
     check_cancelled_each(out.x.size(), 10);
     double sum[3] = {}, count = 0;
-    const std::uint64_t cube = items[i].cube;
-    for (; i < items.size() && items[i].cube == cube; ++i) {
+    const std::uint64_t voxel = items[i].voxel;
+    for (; i < items.size() && items[i].voxel == voxel; ++i) {
       const std::size_t row = items[i].row;
       const double n[3] = {normals.x[row], normals.y[row], normals.z[row]};
       if (n[0] != n[0]) continue;
@@ -101,10 +97,11 @@ Cloud mean_normals(const Cloud& cloud, const Cloud& normals, float leaf) {
       ++count;
     }
     const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-    const bool known = length > kCancelled * count;
-    out.x.push_back(known ? static_cast<float>(sum[0] / length) : kNone);
-    out.y.push_back(known ? static_cast<float>(sum[1] / length) : kNone);
-    out.z.push_back(known ? static_cast<float>(sum[2] / length) : kNone);
+    if (length > kMinimumLength * count)
+      out.append(static_cast<float>(sum[0] / length), static_cast<float>(sum[1] / length),
+                 static_cast<float>(sum[2] / length));
+    else
+      out.append(kNone, kNone, kNone);
   }
   return out;
 }

@@ -7,26 +7,28 @@
 
 namespace emtr {
 
-/// A point's cube of side `leaf`, binned as pcl::VoxelGrid bins, and its row.
+/// The number of a point's voxel and the point's row.
 struct VoxelRow {
-  std::uint64_t cube;
+  std::uint64_t voxel;
   std::uint32_t row;
 };
 
-/// By cube, rows of one cube in their order. Larger than `most` is no cube's number.
-void sort_by_voxel(std::vector<VoxelRow>& items, std::uint64_t most);
+/// Sorts by voxel and keeps the order of the rows within each. No voxel's number may be larger than
+/// `maximum`.
+void sort_by_voxel(std::vector<VoxelRow>& items, std::uint64_t maximum);
 
-/// All points by their cube, in the order of voxel_grid(): by z, then y, then x; those of one cube
-/// by row. On normalized clouds only, `leaf` of 2e-3 and more.
+/// Returns all points sorted by voxel, in the order of voxel_grid(): by z, then y, then x, and
+/// within a voxel by row. Takes normalized clouds only and a `leaf` of at least 2e-3.
 std::vector<VoxelRow> rows_by_voxel(const Cloud& cloud, float leaf);
 
-/// One point of each cube that holds points, the nearest to its centre (the first of several):
-/// their rows, ascending. Which ones they are does not depend on the order of the points.
+/// Returns, in ascending order, one row for each voxel that holds points: the point nearest to the
+/// voxel's center, the first of several. The order of the points does not change which points they
+/// are.
 std::vector<std::uint32_t> one_row_per_voxel(const Cloud& cloud, float leaf);
 
-/// For each point of voxel_grid(cloud, leaf), in its order, the mean direction of the normals in
-/// its cube, of unit length. NaN, as the normal of a point that has none, where no point of the
-/// cube has one or they cancel out.
+/// Returns the mean direction, of unit length, of the normals in the voxel of each point of
+/// voxel_grid(cloud, leaf), in its order. It is NaN, as is the normal of a point without one, where
+/// no point of the voxel has a normal or the normals cancel out.
 Cloud mean_normals(const Cloud& cloud, const Cloud& normals, float leaf);
 
 }  // namespace emtr

@@ -1,4 +1,4 @@
-/* Registers a made pair; prints the true and the found transformation. */
+/* Registers a synthetic pair; prints the true and the found transformation. */
 #include <emtr/emtr.h>
 #include <stdio.h>
 

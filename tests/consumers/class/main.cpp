@@ -1,5 +1,5 @@
-// Registers a made pair with the class; prints the true and the found transformation, and whether
-// the compiled class was used, with the alignment of this program.
+// Registers a synthetic pair with the class. Prints the true and the found transformation, whether
+// the class of the library is used, and the alignment of this program.
 #include <pcl/registration/emtr_ssc.h>
 
 #include <cstdio>
@@ -20,7 +20,7 @@ typename pcl::PointCloud<PointT>::Ptr makeCloud(const float* points, std::size_t
   return cloud;
 }
 
-// Allocates, fills, aligns, scores, copies and frees: what goes wrong when two layouts meet.
+// Allocates, fills, aligns, scores, copies and frees: each fails if two memory layouts meet.
 template <typename PointT, typename Scalar>
 Eigen::Matrix<Scalar, 4, 4> run(const bumpy_pair& pair) {
   using Registration = pcl::EMTRSSCRegistration<PointT, PointT, Scalar>;

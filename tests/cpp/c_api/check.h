@@ -1,4 +1,4 @@
-/* Counts what does not hold, says where, and goes on. */
+/* Counts and reports checks that fail, and goes on. */
 #ifndef EMTR_TESTS_CHECK_H
 #define EMTR_TESTS_CHECK_H
 
@@ -16,7 +16,7 @@ static int check_failures = 0;
     }                                                                                \
   } while (0)
 
-/* The call succeeds; on a failure the library's own words are shown. */
+/* Checks that the call succeeds; shows the library's message if it does not. */
 #define CHECK_OK(call)                                                  \
   do {                                                                  \
     const emtr_status check_status = (call);                            \
@@ -27,7 +27,7 @@ static int check_failures = 0;
     }                                                                   \
   } while (0)
 
-/* The call fails with this status and a message that says `word`. */
+/* Checks that the call fails with this status and a message that contains `word`. */
 #define CHECK_ERROR(call, expected, word)                                                          \
   do {                                                                                             \
     const emtr_status check_status = (call);                                                       \

@@ -1,4 +1,4 @@
-/* Packed x, y, z of single precision as a cloud. */
+/* Makes a cloud of packed x, y, z in single precision. */
 #ifndef EMTR_TESTS_CLOUD_OF_H
 #define EMTR_TESTS_CLOUD_OF_H
 

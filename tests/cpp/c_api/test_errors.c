@@ -1,4 +1,4 @@
-/* Bad input gets an error that names what is wrong, and never a result. */
+/* Tests that bad input gives an error that names what is wrong, and never a result. */
 #include <math.h>
 #include <string.h>
 
@@ -10,7 +10,7 @@ static bumpy_pair pair;
 
 static void refuse(const emtr_cloud* source, const emtr_cloud* target,
                    const emtr_settings* settings, emtr_status status, const char* word) {
-  emtr_result* result = (emtr_result*)&pair; /* to be overwritten */
+  emtr_result* result = (emtr_result*)&pair; /* the call sets it to null */
   emtr_problem* problem = (emtr_problem*)&pair;
   CHECK_ERROR(emtr_register(source, target, settings, NULL, NULL, &result), status, word);
   CHECK(result == NULL);
@@ -70,7 +70,7 @@ static void settings(const emtr_cloud* good) {
   bad.scale_dense = (double)NAN;
   refuse(good, good, &bad, EMTR_ERROR_SETTING, "scale_dense");
   CHECK_OK(emtr_settings_init(&bad, sizeof bad, NULL));
-  bad.has_guess = 1; /* all zero: no rigid motion */
+  bad.has_guess = 1; /* all zero: not a rigid transformation */
   refuse(good, good, &bad, EMTR_ERROR_SETTING, "guess");
 }
 

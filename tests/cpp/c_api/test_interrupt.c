@@ -1,4 +1,4 @@
-/* Calls without a progress function ask their thread whether to end. */
+/* Tests that calls without a progress function ask the interrupt function of their thread. */
 #include <stdlib.h>
 
 #include "bumpy_pair.h"
@@ -8,7 +8,7 @@
 typedef struct caller {
   int asked;
   int end;                 /* the answer */
-  const emtr_cloud* cloud; /* prepared within, unless null */
+  const emtr_cloud* cloud; /* preprocessed within the function, unless null */
 } caller;
 
 static int ask(void* user) {
@@ -28,7 +28,7 @@ static int go_on(const emtr_progress* progress, void* user) {
   return 0;
 }
 
-/* Each takes far longer than the time between two questions. */
+/* Each call takes far longer than the time between two questions. */
 static void long_calls_end(void) {
   enum { kMany = 3000000, kParticles = 20000 };
   caller self = {0, 1, NULL};
@@ -49,7 +49,8 @@ static void long_calls_end(void) {
   CHECK_OK(emtr_problem_create(&few, &few, NULL, &problem));
 
   emtr_set_interrupt(ask, &self);
-  CHECK_ERROR(emtr_preprocess(&many, NULL, 2, &preprocessed), EMTR_ERROR_INTERRUPTED, "interrupted");
+  CHECK_ERROR(emtr_preprocess(&many, NULL, 2, &preprocessed), EMTR_ERROR_INTERRUPTED,
+              "interrupted");
   CHECK(preprocessed == NULL && self.asked == 1);
   CHECK_ERROR(emtr_residuals(&many, &many, NULL, 2, out, NULL), EMTR_ERROR_INTERRUPTED,
               "interrupted");
@@ -87,12 +88,12 @@ static void registrations_and_problems(void) {
   CHECK(result && result->reason == EMTR_REASON_INTERRUPTED && self.asked == 2);
   emtr_result_free(result);
 
-  /* who has a progress function is asked by it alone */
+  /* a progress function takes the place of the interrupt function */
   CHECK_OK(emtr_register(&source, &target, NULL, go_on, NULL, &result));
   CHECK(result && result->registered && self.asked == 2);
   emtr_result_free(result);
 
-  /* calls from within ask nobody, and the run has the same bits */
+  /* calls from within the function are not interrupted, and the run has the same bits */
   self.end = 0;
   self.cloud = &source;
   CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &result));

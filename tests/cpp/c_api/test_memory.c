@@ -1,4 +1,4 @@
-/* Too little address space is EMTR_ERROR_MEMORY, and enough of it later is enough. */
+/* Tests that too little address space gives EMTR_ERROR_MEMORY, and that later calls work again. */
 #define _XOPEN_SOURCE 600
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -12,7 +12,7 @@ static bumpy_pair pair;
 static rlim_t used(void) {
   unsigned long pages = 0;
   FILE* file = fopen("/proc/self/statm", "r");
-  if (!file || fscanf(file, "%lu", &pages) != 1) exit(77); /* no Linux: skipped */
+  if (!file || fscanf(file, "%lu", &pages) != 1) exit(77); /* not Linux: skipped */
   fclose(file);
   return (rlim_t)pages * 4096;
 }

@@ -1,4 +1,4 @@
-/* One cloud prepared once and met by many: the same bits as without. */
+/* Tests a cloud that is preprocessed once for many registrations: the bits do not change. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,7 +13,7 @@ static void same(const emtr_result* a, const emtr_result* b) {
   CHECK(a->queries_evaluation == b->queries_evaluation);
   CHECK(a->points_source == b->points_source && a->dropped_source == b->dropped_source);
   CHECK(a->points_target == b->points_target && a->dropped_target == b->dropped_target);
-  CHECK(a->scale == b->scale);
+  CHECK(a->normalization_scale == b->normalization_scale);
 }
 
 static void one_against_many(void) {
@@ -37,10 +37,11 @@ static void one_against_many(void) {
   CHECK_OK(emtr_preprocess(&target, NULL, 0, &b));
   CHECK_OK(emtr_preprocess(&third, NULL, 2, &c));
   CHECK_OK(emtr_preprocessed_describe(a, &info, sizeof info));
-  CHECK(info.points == 3999 && info.dropped == 1 && info.kept == 3999);
-  CHECK(info.radius == plain[0]->scale || info.radius < plain[0]->scale);
+  CHECK(info.points == 3999 && info.dropped == 1 && info.base_points == 3999);
+  CHECK(info.radius == plain[0]->normalization_scale ||
+        info.radius < plain[0]->normalization_scale);
   CHECK(memcmp(info.center, plain[0]->center_source, sizeof info.center) == 0);
-  /* nothing of the caller's memory is kept */
+  /* the library does not refer to the caller's memory any more */
   for (i = 0; i < 3 * pair.count; ++i) pair.target[i] = pair.source[i] = 0;
   CHECK_OK(emtr_register_preprocessed(a, b, NULL, NULL, NULL, &reused[0]));
   CHECK_OK(emtr_register_preprocessed(c, b, NULL, NULL, NULL, &reused[1]));
@@ -70,8 +71,8 @@ static int stop(const emtr_progress* progress, void* user) {
   return strcmp(progress->stage, (const char*)user) == 0;
 }
 
-/* A registration may keep what it makes ready, and take what another one kept. */
-static void kept(void) {
+/* A registration caches its preprocessing, and uses what another one cached. */
+static void cached(void) {
   bumpy_pair pair;
   emtr_cloud source, target;
   emtr_preprocessed *a = NULL, *b = NULL, *first;
@@ -101,7 +102,7 @@ static void kept(void) {
   CHECK_ERROR(emtr_register_cached(NULL, NULL, NULL, &b, NULL, NULL, NULL, &result),
               EMTR_ERROR_ARGUMENT, "source is null");
   CHECK(result == NULL);
-  source.count = 5; /* too few; but the target is not at fault, and was not reached */
+  source.count = 5; /* too few; the error is of the source, and the target was not reached */
   first = NULL;
   CHECK_ERROR(emtr_register_cached(&source, NULL, &target, &first, NULL, NULL, NULL, &result),
               EMTR_ERROR_CLOUD, "source cloud");
@@ -129,16 +130,17 @@ static void wrong_calls(void) {
   CHECK_ERROR(emtr_preprocess(&bad, "model", 0, &none), EMTR_ERROR_CLOUD, "model cloud: 9 finite");
   CHECK(none == NULL);
   CHECK_ERROR(emtr_preprocess(NULL, NULL, 0, &none), EMTR_ERROR_ARGUMENT, "cloud is null");
-  CHECK_ERROR(emtr_preprocess(&cloud, NULL, 0, NULL), EMTR_ERROR_ARGUMENT, "prepared is null");
+  CHECK_ERROR(emtr_preprocess(&cloud, NULL, 0, NULL), EMTR_ERROR_ARGUMENT, "preprocessed is null");
   CHECK_ERROR(emtr_preprocess(&cloud, NULL, -1, &none), EMTR_ERROR_SETTING, "threads");
   CHECK_ERROR(emtr_preprocessed_describe(NULL, &info, sizeof info), EMTR_ERROR_ARGUMENT,
-              "prepared is null");
-  CHECK_ERROR(emtr_preprocessed_describe(good, NULL, sizeof info), EMTR_ERROR_ARGUMENT, "info is null");
+              "preprocessed is null");
+  CHECK_ERROR(emtr_preprocessed_describe(good, NULL, sizeof info), EMTR_ERROR_ARGUMENT,
+              "info is null");
   CHECK_ERROR(emtr_preprocessed_describe(good, &info, 8), EMTR_ERROR_ARGUMENT, "size is 8");
-  CHECK_ERROR(emtr_register_preprocessed(NULL, good, NULL, NULL, NULL, &result), EMTR_ERROR_ARGUMENT,
-              "source is null");
-  CHECK_ERROR(emtr_register_preprocessed(good, NULL, NULL, NULL, NULL, &result), EMTR_ERROR_ARGUMENT,
-              "target is null");
+  CHECK_ERROR(emtr_register_preprocessed(NULL, good, NULL, NULL, NULL, &result),
+              EMTR_ERROR_ARGUMENT, "source is null");
+  CHECK_ERROR(emtr_register_preprocessed(good, NULL, NULL, NULL, NULL, &result),
+              EMTR_ERROR_ARGUMENT, "target is null");
   CHECK_ERROR(emtr_register_preprocessed(good, good, NULL, NULL, NULL, NULL), EMTR_ERROR_ARGUMENT,
               "result is null");
   CHECK_OK(emtr_settings_init(&settings, sizeof settings, NULL));
@@ -155,7 +157,7 @@ static void wrong_calls(void) {
 
 int main(void) {
   one_against_many();
-  kept();
+  cached();
   wrong_calls();
   return check_result();
 }

@@ -1,4 +1,4 @@
-/* Stage by stage: what a problem shows, the two tasks, the complement, and its solution. */
+/* Tests a problem stage by stage: its arrays, the two tasks, the complement, and its solution. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +55,7 @@ static void tasks(emtr_problem* problem, const bumpy_pair* pair, const emtr_prob
   CHECK_OK(emtr_particle_to_transformation(problem, particles[0], back));
   for (k = 0; k < 16; ++k) CHECK(fabs(back[k] - pair->pose[k]) < 1e-9);
 
-  /* the truth first, then a pose that is turned away from it by a radian */
+  /* the true pose first, then a pose rotated from it by one radian */
   memcpy(particles[1], particles[0], sizeof particles[0]);
   particles[1][0] += 1.0;
   memcpy(rotations[0], particles[0], sizeof rotations[0]);
@@ -109,7 +109,7 @@ int main(void) {
   tasks(problem, &pair, &info);
   wrong_calls(problem);
 
-  /* nothing of the caller's memory is kept */
+  /* the library does not refer to the caller's memory any more */
   for (i = 0; i < 3 * pair.count; ++i) pair.target[i] = 0;
   CHECK_OK(emtr_problem_solve(problem, NULL, NULL, &solved));
   if (!solved) return 1;

@@ -1,4 +1,4 @@
-/* One call from clouds to result: the pose, the same bits again, progress, priors. */
+/* Tests one call from clouds to result: pose, reproducibility, progress, viewpoints, residuals. */
 #include <fenv.h>
 #include <math.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@ static emtr_result* run(const bumpy_pair* pair, const emtr_settings* settings,
   const emtr_cloud target = cloud_of(pair->target, pair->count);
   emtr_result* result = NULL;
   CHECK_OK(emtr_register(&source, &target, settings, progress, user, &result));
-  if (!result) exit(1); /* said above */
+  if (!result) exit(1); /* the check has reported it */
   return result;
 }
 
@@ -62,7 +62,7 @@ static void the_result_is_whole(const bumpy_pair* pair, const emtr_result* r,
   CHECK(r->seconds_total > 0 && r->seconds_evolution <= r->seconds_total);
   CHECK(r->iterations == (size_t)settings->iterations && r->seed == 0 && r->threads >= 1);
   for (i = 1; i < r->iterations; ++i) CHECK(r->history_beta[i] <= r->history_beta[i - 1]);
-  /* the first iterations of both presets are sparse, and counted as the published method does */
+  /* the first iterations of both presets are sparse, counted as in the published method */
   for (i = 1; i < ceil(settings->switch_fraction * settings->iterations); ++i)
     CHECK(r->history_alpha[i] <= r->history_alpha[i - 1]);
 }
@@ -73,7 +73,8 @@ static void by_the_default_preset(const bumpy_pair* pair, const emtr_result* r) 
   int k, j;
   the_result_is_whole(pair, r, &settings);
   CHECK(r->confidence > 0.9 && r->confidence <= 1);
-  CHECK(r->surface_fit > 0 && r->surface_fit <= 1 && r->score <= r->surface_fit && r->violation >= 0);
+  CHECK(r->surface_fit > 0 && r->surface_fit <= 1 && r->score <= r->surface_fit &&
+        r->violation >= 0);
   CHECK(r->seeds > 0 && r->candidates > 0 && r->seconds_candidates > 0);
   for (i = 0; i < r->alternative_count; ++i) {
     CHECK(r->alternatives[i].score <= r->score);
@@ -90,7 +91,7 @@ static void by_the_default_preset(const bumpy_pair* pair, const emtr_result* r) 
     CHECK(k == 0 || r->hessian_eigenvalues[k] >= r->hessian_eigenvalues[k - 1]);
   }
   CHECK(r->hessian_eigenvalues[0] > 0 && r->hessian_eigenvalues[5] < 2);
-  /* nearer than the search alone comes */
+  /* the refinement comes nearer than the search alone */
   CHECK(bumpy_pair_error(pair, r->transformation) < 0.01);
 }
 
@@ -107,9 +108,9 @@ static void by_the_paper(const bumpy_pair* pair) {
   emtr_result_free(r);
 }
 
-/* Far out on the side that each scan is of: the target's frame is the ball's own. */
+/* Viewpoints far out on the scanned side of each cloud; the target's frame is the ball's own. */
 static void viewpoints(const bumpy_pair* pair) {
-  emtr_settings settings = preset("thorough"); /* they are asked for in the fallback search */
+  emtr_settings settings = preset("thorough"); /* its fallback search uses viewpoints */
   const double toward[3] = {0.35, 0.0, 0.94};
   double source[3];
   emtr_result *unknown, *known;
@@ -167,55 +168,57 @@ static void points_that_are_not_finite_are_dropped(bumpy_pair pair) {
   free(source);
 }
 
-typedef struct watch {
+typedef struct progress_log {
   int calls, iterations, stop_at, in_all;
   char stages[256];
   const char* last;
-} watch;
+} progress_log;
 
 static int on_progress(const emtr_progress* progress, void* user) {
-  watch* w = (watch*)user;
-  ++w->calls;
+  progress_log* seen = (progress_log*)user;
+  ++seen->calls;
   if (progress->iteration == 0) {
-    if (strcmp(progress->stage, w->last) != 0) {
-      strcat(w->stages, progress->stage);
-      strcat(w->stages, " ");
-      w->last = progress->stage;
+    if (strcmp(progress->stage, seen->last) != 0) {
+      strcat(seen->stages, progress->stage);
+      strcat(seen->stages, " ");
+      seen->last = progress->stage;
     }
-  } else if (progress->iteration != w->iterations) { /* not the same once more */
+  } else if (progress->iteration != seen->iterations) { /* not a repeated call */
     CHECK(strcmp(progress->stage, "evolution") == 0);
-    CHECK(progress->iteration == ++w->iterations && progress->iterations == w->in_all);
+    CHECK(progress->iteration == ++seen->iterations && progress->iterations == seen->in_all);
     CHECK(progress->best_alpha >= 0 && progress->best_beta >= 0);
   }
-  return w->stop_at >= 0 && (progress->iteration == w->stop_at);
+  return seen->stop_at >= 0 && (progress->iteration == seen->stop_at);
 }
 
 static void progress_and_stop(const bumpy_pair* pair, const emtr_result* whole) {
   emtr_settings settings = preset(NULL);
   const int in_all = settings.iterations;
-  watch all = {0, 0, -1, 0, "", ""}, third = {0, 0, 3, 0, "", ""}, at_once = {0, 0, 0, 0, "", ""};
-  watch thorough = {0, 0, -1, 0, "", ""}, paper = {0, 0, -1, 0, "", ""};
+  progress_log all = {0, 0, -1, 0, "", ""}, third = {0, 0, 3, 0, "", ""},
+               at_once = {0, 0, 0, 0, "", ""};
+  progress_log thorough = {0, 0, -1, 0, "", ""}, paper = {0, 0, -1, 0, "", ""};
   emtr_result* result;
   all.in_all = third.in_all = at_once.in_all = thorough.in_all = in_all;
   result = run(pair, NULL, on_progress, &all);
   same_pose(whole, result);
   CHECK(all.iterations == in_all);
-  CHECK(
-      strcmp(all.stages,
-             "frame densities features matching seeds evolution candidates refinement verdict ") ==
-      0);
+  CHECK(strcmp(all.stages,
+               "normalization downsampling features matching seeds evolution candidates "
+               "refinement verdict ") == 0);
   emtr_result_free(result);
 
   settings = preset("thorough");
   result = run(pair, &settings, on_progress, &thorough);
-  CHECK(result->used_fallback_search && strstr(thorough.stages, "candidates fallback_search refinement "));
+  CHECK(result->used_fallback_search &&
+        strstr(thorough.stages, "candidates fallback_search refinement "));
   emtr_result_free(result);
 
   settings = preset("paper");
   paper.in_all = settings.iterations;
   result = run(pair, &settings, on_progress, &paper);
   CHECK(paper.iterations == 100);
-  CHECK(strcmp(paper.stages, "frame densities features matching evolution verdict ") == 0);
+  CHECK(strcmp(paper.stages, "normalization downsampling features matching evolution verdict ") ==
+        0);
   emtr_result_free(result);
 
   result = run(pair, NULL, on_progress, &third);
@@ -243,7 +246,7 @@ static void time_limit(const bumpy_pair* pair, const emtr_result* whole) {
   emtr_result_free(result);
 }
 
-/* Rounding upwards is what the caller wants for itself, and has again afterwards. */
+/* The caller's rounding mode does not change the bits, and is restored. */
 static void rounding(const bumpy_pair* pair, const emtr_result* whole) {
   emtr_result* result;
   CHECK(fesetround(FE_UPWARD) == 0);
@@ -263,7 +266,7 @@ static void seed_threads_guess(const bumpy_pair* pair, const emtr_result* whole)
   CHECK(result->threads == 2);
   emtr_result_free(result);
 
-  /* by the swarm alone, which a refinement would bring to the same place from any seed */
+  /* by the swarm alone: the refinement would bring any seed to the same pose */
   settings = preset("paper");
   other = run(pair, &settings, NULL, NULL);
   settings.seed = UINT64_MAX;
@@ -273,7 +276,7 @@ static void seed_threads_guess(const bumpy_pair* pair, const emtr_result* whole)
   emtr_result_free(result);
   emtr_result_free(other);
 
-  /* two iterations without transfer find nothing by themselves */
+  /* two iterations without transfer do not find the pose by themselves */
   settings.iterations = 2;
   settings.transfer = 0;
   result = run(pair, &settings, NULL, NULL);
@@ -294,7 +297,8 @@ static void residuals(const bumpy_pair* pair, const emtr_result* result) {
   size_t i, near = 0;
   if (!here || !back) exit(1);
   CHECK_OK(emtr_residuals(&source, &target, result->transformation, 2, here, back));
-  for (i = 0; i < pair->count; ++i) near += here[i] < result->leaf_fine * result->normalization_scale;
+  for (i = 0; i < pair->count; ++i)
+    near += here[i] < result->leaf_fine * result->normalization_scale;
   CHECK(fabs((double)near / (double)pair->count - result->overlap_source) < 0.06);
   CHECK_OK(emtr_residuals(&source, &source, NULL, 0, here, NULL));
   for (i = 0; i < pair->count; ++i) CHECK(here[i] == 0);
@@ -310,9 +314,9 @@ static void residuals(const bumpy_pair* pair, const emtr_result* result) {
 }
 
 int main(void) {
-  bumpy_pair pair, millimetres;
+  bumpy_pair pair, millimeters;
   emtr_result *whole, *result;
-  if (bumpy_pair_make(&pair, 1, 4000, 1.0) || bumpy_pair_make(&millimetres, 1, 4000, 1000.0))
+  if (bumpy_pair_make(&pair, 1, 4000, 1.0) || bumpy_pair_make(&millimeters, 1, 4000, 1000.0))
     return 1;
   whole = run(&pair, NULL, NULL, NULL);
   by_the_default_preset(&pair, whole);
@@ -326,11 +330,11 @@ int main(void) {
   seed_threads_guess(&pair, whole);
   residuals(&pair, whole);
   emtr_result_free(whole);
-  result = run(&millimetres, NULL, NULL, NULL);
-  by_the_default_preset(&millimetres, result);
+  result = run(&millimeters, NULL, NULL, NULL);
+  by_the_default_preset(&millimeters, result);
   emtr_result_free(result);
   emtr_result_free(NULL);
   bumpy_pair_free(&pair);
-  bumpy_pair_free(&millimetres);
+  bumpy_pair_free(&millimeters);
   return check_result();
 }

@@ -1,4 +1,4 @@
-/* Version, texts, presets, and the settings by name. */
+/* Tests the version, the texts, the presets, and the settings by name. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,19 +6,24 @@
 #include "check.h"
 
 static void texts(void) {
-  static const char* const names[] = {"registered",  "low_overlap", "ambiguous",
-                                      "few_matches", "interrupted", "degenerate"};
+  static const char* const names[] = {"registered",  "low_overlap", "ambiguous", "few_matches",
+                                      "interrupted", "degenerate",  "time_limit"};
+  static const char* const stages[] = {
+      "normalization", "downsampling", "features",        "matching",   "seeds",
+      "evolution",     "candidates",   "fallback_search", "refinement", "verdict"};
   char version[32];
   int i;
   snprintf(version, sizeof version, "%d.%d.%d", EMTR_VERSION_MAJOR, EMTR_VERSION_MINOR,
            EMTR_VERSION_PATCH);
   CHECK(strcmp(emtr_version(), version) == 0);
-  for (i = EMTR_OK; i <= EMTR_ERROR_INTERNAL; ++i)
+  for (i = EMTR_OK; i <= EMTR_ERROR_INTERRUPTED; ++i)
     CHECK(emtr_status_text((emtr_status)i) && *emtr_status_text((emtr_status)i));
-  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_DEGENERATE; ++i) {
+  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_TIME_LIMIT; ++i) {
     CHECK(strcmp(emtr_reason_name((emtr_reason)i), names[i]) == 0);
     CHECK(emtr_reason_text((emtr_reason)i) && *emtr_reason_text((emtr_reason)i));
   }
+  for (i = 0; i < 10; ++i) CHECK(strcmp(emtr_stage_name((size_t)i), stages[i]) == 0);
+  CHECK(emtr_stage_name(10) == NULL);
   CHECK(emtr_status_text((emtr_status)99) != NULL);
   CHECK(emtr_reason_text((emtr_reason)99) != NULL);
   CHECK(strcmp(emtr_reason_name((emtr_reason)99), "unknown") == 0);
@@ -33,14 +38,17 @@ static void presets(void) {
     CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, emtr_preset_name(i)));
   CHECK(emtr_preset_name(i + 1) == NULL);
 
-  /* the method as published has neither seeds before the swarm nor anything after it */
+  /* the method as published has no seeds before the swarm and nothing after it */
   CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, "paper"));
-  CHECK(by_name.population == 50 && by_name.iterations == 100 && by_name.features == 0);
-  CHECK(!by_name.seeds && !by_name.candidates && !by_name.fallback_search && !by_name.refine);
+  CHECK(by_name.population == 50 && by_name.iterations == 100);
+  CHECK(by_name.features == EMTR_FEATURES_PCL && by_name.fallback_search == EMTR_OFF);
+  CHECK(!by_name.seeds && !by_name.candidates && !by_name.refine);
 
   CHECK_OK(emtr_settings_init(&by_name, sizeof by_name, "default"));
   CHECK_OK(emtr_settings_init(&by_null, sizeof by_null, NULL));
   CHECK(by_name.size == sizeof(emtr_settings) && !by_name.has_guess);
+  CHECK(by_name.features == EMTR_FEATURES_SIMD && by_name.neighbors == EMTR_NEIGHBORS_GRID);
+  CHECK(by_name.fallback_search == EMTR_AUTO);
   CHECK(!by_name.has_viewpoint_source && !by_name.has_viewpoint_target);
   for (i = 0; i < emtr_setting_count(); ++i) {
     emtr_setting_info info;
@@ -55,7 +63,7 @@ static void presets(void) {
   CHECK_ERROR(emtr_settings_init(NULL, sizeof by_name, "paper"), EMTR_ERROR_ARGUMENT, "null");
 }
 
-/* A refused value leaves the setting as it was. */
+/* Checks that a refused value does not change the setting. */
 static void refuses(const char* name, double value) {
   emtr_settings settings;
   double before = 0, after = 1;
@@ -109,7 +117,7 @@ static void wrong_names(void) {
   CHECK(emtr_setting_describe(0, NULL, sizeof info) == EMTR_ERROR_ARGUMENT);
 }
 
-/* A caller with an older header is refused, one with a later header gets zeros. */
+/* An older header gives an error; a later header gets zeros in its new fields. */
 static void sizes(void) {
   struct {
     emtr_setting_info info;

@@ -1,4 +1,4 @@
-/* What was computed elsewhere, through the C interface: strides, prepared clouds, errors. */
+/* Tests user-provided input: strides, preprocessed clouds, errors. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,9 +8,9 @@
 
 enum { kCount = 4000, kNumbers = 3 };
 
-/* One scan twice, so that row i of the source is row i of the target. */
+/* Holds one scan twice, so that row i of the source is row i of the target. */
 typedef struct twins {
-  float source[3 * kCount], target[3 * kCount], normals[3 * kCount], turned[3 * kCount];
+  float source[3 * kCount], target[3 * kCount], normals[3 * kCount], rotated[3 * kCount];
   float features[kNumbers * kCount];
   double pose[16];
 } twins;
@@ -26,8 +26,8 @@ static void make(twins* t) {
     for (k = 0; k < 3; ++k) {
       const double* row = pair.pose + 4 * k;
       t->target[3 * i + k] = (float)(row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3]);
-      t->normals[3 * i + k] = p[k]; /* about the middle of the ball */
-      t->turned[3 * i + k] = (float)(row[0] * p[0] + row[1] * p[1] + row[2] * p[2]);
+      t->normals[3 * i + k] = p[k]; /* roughly: away from the center of the ball */
+      t->rotated[3 * i + k] = (float)(row[0] * p[0] + row[1] * p[1] + row[2] * p[2]);
     }
     for (k = 0; k < kNumbers; ++k) t->features[kNumbers * i + k] = sinf(5 * p[k]) + p[(k + 1) % 3];
   }
@@ -52,9 +52,9 @@ static emtr_result* of(const emtr_cloud* source, const emtr_cloud* target,
   return result;
 }
 
-/* The same through prepared clouds; frees both. */
-static void same_preprocessed(emtr_result* plain, const emtr_cloud* source, const emtr_cloud* target,
-                          const emtr_settings* settings) {
+/* Checks that preprocessed clouds give the same bits; frees both results. */
+static void same_preprocessed(emtr_result* plain, const emtr_cloud* source,
+                              const emtr_cloud* target, const emtr_settings* settings) {
   emtr_preprocessed *a = NULL, *b = NULL;
   emtr_result* result = NULL;
   CHECK_OK(emtr_preprocess(source, NULL, 1, &a));
@@ -69,7 +69,7 @@ static void same_preprocessed(emtr_result* plain, const emtr_cloud* source, cons
 }
 
 static void features_and_normals(const twins* t) {
-  /* beside the points in one struct, as scanners' software has them */
+  /* all in one struct for each point, as scanner software stores them */
   typedef struct row {
     char tag;
     double point[3];
@@ -109,13 +109,13 @@ static void features_and_normals(const twins* t) {
 
   wide.normals = rows[0].normal;
   wide.normal_stride = sizeof(row);
-  target.normals = t->turned;
+  target.normals = t->rotated;
   result = of(&wide, &target, &settings);
   CHECK(memcmp(plain->transformation, result->transformation, sizeof result->transformation) != 0);
   CHECK(error_of(result, t) < 0.01);
   CHECK_OK(emtr_preprocess(&wide, NULL, 1, &preprocessed));
   CHECK_OK(emtr_preprocessed_describe(preprocessed, &info, sizeof info));
-  CHECK(info.normals == 1 && info.described == kCount && info.feature_dimension == kNumbers);
+  CHECK(info.normals == 1 && info.keypoints == kCount && info.feature_dimension == kNumbers);
   emtr_preprocessed_free(preprocessed);
   emtr_result_free(plain);
   same_preprocessed(result, &wide, &target, &settings);
@@ -143,7 +143,8 @@ static void correspondences(const twins* t) {
   CHECK(result->registered && error_of(result, t) < 0.01);
   CHECK(result->correspondences == 500);
   CHECK_OK(emtr_problem_create(&source, &target, &settings, &problem));
-  memset(pairs, 0x7f, 2 * 500 * sizeof *pairs); /* nothing of the caller's memory is kept */
+  memset(pairs, 0x7f,
+         2 * 500 * sizeof *pairs); /* the library does not refer to the caller's memory any more */
   CHECK_OK(emtr_problem_solve(problem, NULL, NULL, &solved));
   CHECK(solved &&
         memcmp(solved->transformation, result->transformation, sizeof result->transformation) == 0);

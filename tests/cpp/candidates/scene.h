@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ranking/surfaces.h"
-#include "refinement/shapes.h"
-#include "geometry/pose_distance.h"
 #include "candidates/surface_pair.h"
 #include "features/fpfh.h"
+#include "geometry/pose_distance.h"
 #include "preprocessing/downsampling.h"
 #include "preprocessing/normalization.h"
+#include "ranking/surfaces.h"
+#include "refinement/shapes.h"
 #include "settings/settings.h"
 
 namespace emtr_test {
@@ -48,14 +48,14 @@ struct Scene {
   }
   Vector sensor_target() const { return {-0.35 * 5 * pair.unit(), 0, 0.94 * 5 * pair.unit()}; }
 
-  /// The truth moved on by a rotation vector in degrees and a shift in radii.
+  /// The truth moved on by a rotation vector in degrees and a translation in radii.
   emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
     return compose(motion(degrees, shift), truth);
   }
 
   /// Whether it is the pose that all measures of success ask for.
   bool solved(const emtr::Rigid& pose) const {
-    return emtr::within(pose, truth, {5 * M_PI / 180, 0.06});
+    return emtr::is_same_pose(pose, truth, {5 * M_PI / 180, 0.06});
   }
 };
 
@@ -71,7 +71,7 @@ inline std::vector<emtr::Rigid> anywhere(std::size_t n, std::uint64_t seed) {
 }
 
 inline bool same_bits(const emtr::Rigid& a, const emtr::Rigid& b) {
-  return std::equal(a.R, a.R + 9, b.R) && std::equal(a.t, a.t + 3, b.t);
+  return a.R == b.R && a.t == b.t;
 }
 
 }  // namespace emtr_test

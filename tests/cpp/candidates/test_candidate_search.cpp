@@ -59,7 +59,7 @@ TEST_F(Search, TheShortlistIsOfTheSeedsThatFitBest) {
   EXPECT_TRUE(search().shortlist({}).empty());
 }
 
-TEST_F(Search, TakesInAllOfTheFewAndTheBestOfTheMany) {
+TEST_F(Search, AddsAllOfTheFewAndTheBestOfTheMany) {
   CandidateSearch few = search();
   few.add(anywhere(15, 4), {});
   EXPECT_EQ(few.ranked().size(), 15u);  // more than `candidates`
@@ -72,14 +72,14 @@ TEST_F(Search, TakesInAllOfTheFewAndTheBestOfTheMany) {
   EXPECT_TRUE(scene.solved(both.ranked().front().pose));
 }
 
-TEST_F(Search, EscalationFindsWhatNoSeedGave) {
+TEST_F(Search, FallbackFindsWhatNoSeedGave) {
   const CandidateSearch found = used_fallback_search();
   EXPECT_TRUE(scene.solved(found.ranked().front().pose));
   EXPECT_GT(found.ranked().front().score, 0.3);
   EXPECT_LE(found.ranked().size(), 8u + 3u);
 }
 
-TEST_F(Search, EscalationUsesTheSensorsThatAreGiven) {
+TEST_F(Search, FallbackUsesTheSensorsThatAreGiven) {
   give_sensors();
   const CandidateSearch found = used_fallback_search();
   const emtr::Candidate& best = found.ranked().front();
@@ -89,14 +89,16 @@ TEST_F(Search, EscalationUsesTheSensorsThatAreGiven) {
   // Seen from where they are in the normalized frame.
   const auto at = [&](const emtr::Surface& surface, const double* user, const double* center) {
     emtr::Viewpoint v;
-    for (int a = 0; a < 3; ++a) v.at[a] = (user[a] - center[a]) / scene.normalized.normalization.scale;
+    for (int a = 0; a < 3; ++a)
+      v.at[a] = (user[a] - center[a]) / scene.normalized.normalization.scale;
     return emtr::given_viewpoint(surface, v, emtr::select_kernels());
   };
   const emtr::Normalization& normalization = scene.normalized.normalization;
-  const emtr::SurfacePair seen(scene.source, scene.target,
-                            at(scene.source, scene.settings.viewpoint_source, normalization.center_source),
-                            at(scene.target, scene.settings.viewpoint_target, normalization.center_target),
-                            emtr::select_kernels());
+  const emtr::SurfacePair seen(
+      scene.source, scene.target,
+      at(scene.source, scene.settings.viewpoint_source, normalization.center_source),
+      at(scene.target, scene.settings.viewpoint_target, normalization.center_target),
+      emtr::select_kernels());
   emtr::Ranking::Scratch scratch;
   for (const emtr::Candidate& c : found.ranked()) {
     EXPECT_EQ(c.score, seen.ranking().evaluate(c.pose, scratch).score);
@@ -130,7 +132,7 @@ TEST_F(Search, WithoutFreeSpaceNothingIsViolated) {
   }
 }
 
-TEST_F(Search, EscalationKeepsTheCandidatesOfBefore) {
+TEST_F(Search, FallbackKeepsTheCandidatesOfBefore) {
   scene.settings.fallback_points = 100;  // too few to find anything
   scene.settings.fallback_seeds = 1;
   CandidateSearch kept = search();
@@ -138,7 +140,7 @@ TEST_F(Search, EscalationKeepsTheCandidatesOfBefore) {
   const auto before = kept.ranked();
   kept.run_fallback_search();
   EXPECT_TRUE(scene.solved(kept.ranked().front().pose));
-  EXPECT_GE(kept.ranked().size() + 1, before.size());  // a polish may bring two together
+  EXPECT_GE(kept.ranked().size() + 1, before.size());  // refinement may bring two together
 }
 
 TEST_F(Search, IsTheSameBitsForAnyThreads) {

@@ -5,10 +5,10 @@
 
 namespace {
 
+using emtr::is_same_pose;
 using emtr::kDuplicatePose;
 using emtr::Rigid;
 using emtr::ThreadTeam;
-using emtr::within;
 using emtr_test::anywhere;
 using emtr_test::same_bits;
 
@@ -20,7 +20,7 @@ class CandidateSet : public testing::Test {
   }
   static const emtr::SurfacePair& surfaces() {
     static const emtr::SurfacePair both(scene().source, scene().target, {}, {},
-                                     emtr::select_kernels());
+                                        emtr::select_kernels());
     return both;
   }
 
@@ -29,7 +29,7 @@ class CandidateSet : public testing::Test {
     return surfaces().ranking().fit().evaluate(pose, emtr::SurfacePair::kQuickStep, scratch).score;
   }
 
-  /// Good ones, copies of them, and many that are wrong.
+  /// Good ones, duplicates of them, and many that are wrong.
   static std::vector<Rigid> poses() {
     std::vector<Rigid> out = anywhere(30, 7);
     for (const double degrees : {0.0, 1.0, 2.0, 5.0, 9.0, 20.0})
@@ -46,12 +46,13 @@ class CandidateSet : public testing::Test {
     return out;
   }
 
-  static void add(emtr::CandidateSet& candidate_set, const std::vector<Rigid>& some, int threads = 1) {
+  static void add(emtr::CandidateSet& candidate_set, const std::vector<Rigid>& some,
+                  int threads = 1) {
     ThreadTeam::with(threads, [&](ThreadTeam& team) { candidate_set.add(some, team); });
   }
 };
 
-TEST_F(CandidateSet, AShortlistIsOrderedByTheQuickFitAndHasNoCopies) {
+TEST_F(CandidateSet, AShortlistIsOrderedByTheQuickFitAndHasNoDuplicates) {
   const auto all = poses(), out = shortlist(all.size());
   ASSERT_GT(out.size(), 25u);
   EXPECT_TRUE(scene().solved(out.front()));
@@ -59,7 +60,7 @@ TEST_F(CandidateSet, AShortlistIsOrderedByTheQuickFitAndHasNoCopies) {
     if (i > 0) {
       EXPECT_GE(quick(out[i - 1]), quick(out[i]));
     }
-    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(within(out[i], out[j], kDuplicatePose));
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(is_same_pose(out[i], out[j], kDuplicatePose));
     EXPECT_TRUE(std::any_of(all.begin(), all.end(),
                             [&](const Rigid& pose) { return same_bits(pose, out[i]); }));
   }
@@ -79,17 +80,19 @@ TEST_F(CandidateSet, AShortlistKnowsFreeSpace) {
   toward *= 0.4 / std::sqrt(length);
   const std::vector<Rigid> both{scene().off({0, 0, 0}, toward), scene().off({0, 0, 0}, -toward)};
   const emtr::SurfacePair seen(scene().source, scene().target, {}, {{sensor}, 1},
-                            emtr::select_kernels());
+                               emtr::select_kernels());
   emtr::Ranking::Scratch scratch;
   const auto front = seen.ranking().quick(both[0], emtr::SurfacePair::kQuickStep, scratch);
   EXPECT_GT(front.violation, 0.1);
   std::vector<Rigid> out;
-  ThreadTeam::with(1, [&](ThreadTeam& team) { out = emtr::CandidateSet(seen, nullptr).shortlist(both, 1, team); });
+  ThreadTeam::with(1, [&](ThreadTeam& team) {
+    out = emtr::CandidateSet(seen, nullptr).shortlist(both, 1, team);
+  });
   ASSERT_EQ(out.size(), 1u);
   EXPECT_TRUE(same_bits(out.front(), both[1]));
 }
 
-TEST_F(CandidateSet, OnlyCopiesOfBetterOnesAreLeftOut) {
+TEST_F(CandidateSet, OnlyDuplicatesOfBetterOnesAreLeftOut) {
   const auto out = shortlist(poses().size());
   std::size_t left_out = 0;
   for (const Rigid& pose : poses()) {
@@ -97,10 +100,10 @@ TEST_F(CandidateSet, OnlyCopiesOfBetterOnesAreLeftOut) {
     if (std::any_of(out.begin(), out.end(), is)) continue;
     ++left_out;
     EXPECT_TRUE(std::any_of(out.begin(), out.end(), [&](const Rigid& other) {
-      return within(pose, other, kDuplicatePose) && quick(other) >= quick(pose);
+      return is_same_pose(pose, other, kDuplicatePose) && quick(other) >= quick(pose);
     }));
   }
-  EXPECT_GE(left_out, 2u);  // of the truth's copies, less than 3 degrees from it
+  EXPECT_GE(left_out, 2u);  // the truth's duplicates, less than 3 degrees from it
 }
 
 TEST_F(CandidateSet, AShorterListIsTheBeginningOfALongerOne) {
@@ -111,7 +114,7 @@ TEST_F(CandidateSet, AShorterListIsTheBeginningOfALongerOne) {
   EXPECT_TRUE(shortlist(0).empty());
 }
 
-TEST_F(CandidateSet, PolishesWhatItTakesIn) {
+TEST_F(CandidateSet, RefinesWhatIsAdded) {
   const Rigid start = scene().off({2, -2, 1}, {0.02, 0.01, -0.02});
   emtr::Ranking::Scratch scratch;
   const double before = surfaces().ranking().evaluate(start, scratch).score;
@@ -125,7 +128,7 @@ TEST_F(CandidateSet, PolishesWhatItTakesIn) {
 }
 
 TEST_F(CandidateSet, NoPoseIsMadeWorse) {
-  // Next to the truth there is little to gain, and now and then the polish loses.
+  // Next to the truth there is little to gain, and now and then refinement loses.
   std::vector<Rigid> starts = anywhere(20, 11);
   emtr_test::Draw draw(5);
   for (int i = 0; i < 300; ++i)
@@ -135,9 +138,9 @@ TEST_F(CandidateSet, NoPoseIsMadeWorse) {
   for (const Rigid& start : starts) {
     emtr::CandidateSet candidate_set(surfaces(), nullptr);
     add(candidate_set, {start});
-    const Rigid refine_locally = surfaces().local_refinement()(start, nullptr, scratch).pose;
-    const bool worse = quick(refine_locally) < quick(start);
-    EXPECT_TRUE(same_bits(candidate_set.ranked().front().pose, worse ? start : refine_locally));
+    const Rigid refined = surfaces().local_refinement()(start, nullptr, scratch).pose;
+    const bool worse = quick(refined) < quick(start);
+    EXPECT_TRUE(same_bits(candidate_set.ranked().front().pose, worse ? start : refined));
     lost += worse;
   }
   EXPECT_GT(lost, 0u);
@@ -160,7 +163,8 @@ TEST_F(CandidateSet, IsRankedByTheFineScoreAndDistinct) {
     if (i > 0) {
       EXPECT_GE(ranked[i - 1].score, ranked[i].score);
     }
-    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(within(ranked[i].pose, ranked[j].pose, kDuplicatePose));
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(is_same_pose(ranked[i].pose, ranked[j].pose, kDuplicatePose));
   }
 }
 

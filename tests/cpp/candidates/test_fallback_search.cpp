@@ -34,8 +34,8 @@ class FallbackSearch : public testing::Test {
   std::vector<Rigid> seeds(const Viewpoints& of_source, const Viewpoints& of_target,
                            int threads = 1,
                            const emtr::Kernels& kernels = emtr::select_kernels()) const {
-    return emtr::fallback_seeds_of(scene.normalized, of_source, of_target, scene.settings, kernels,
-                                 threads);
+    return emtr::find_fallback_seeds(scene.normalized, of_source, of_target, scene.settings,
+                                     kernels, threads);
   }
 
   /// The first that is right, as many as there are when none is.

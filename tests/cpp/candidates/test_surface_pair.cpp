@@ -51,7 +51,7 @@ TEST(SurfacePair, TheQuickLookIsReadyAndCloseToTheWholeOne) {
   EXPECT_LT(wrong, quick - 0.2);
 }
 
-TEST(SurfacePair, TheirPolishGoesToTheTruthFromAFewDegrees) {
+TEST(SurfacePair, TheirRefinementGoesToTheTruthFromAFewDegrees) {
   const SurfacePair both(scene().source, scene().target, {}, {}, emtr::select_kernels());
   emtr::LocalRefinement::Scratch scratch;
   const auto end = both.local_refinement()(scene().off({0, 5, 0}, {0.03, 0, 0}), nullptr, scratch);

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "evolution/knowledge_complement.h"
-#include "support/clouds.h"
 #include "geometry/euler.h"
+#include "support/clouds.h"
 
 namespace {
 
@@ -37,9 +37,7 @@ TEST(KnowledgeComplement, FindsTheTranslationOfTheTrueRotation) {
   Fixture f;
   f.source = ball(0, 0, 0);
   f.target = ball(0.12f, -0.08f, 0.1f);
-  const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  double t[3];
-  f.complement().translation(identity, t, nullptr);
+  const Eigen::Vector3d t = f.complement().translation(Eigen::Matrix3d::Identity(), nullptr);
   EXPECT_NEAR(t[0], 0.12, 0.005);
   EXPECT_NEAR(t[1], -0.08, 0.005);
   EXPECT_NEAR(t[2], 0.1, 0.005);
@@ -49,13 +47,11 @@ TEST(KnowledgeComplement, StaysWhenNothingIsNear) {
   Fixture f;
   f.source = ball(0, 0, 0);
   f.target = ball(50, 0, 0);
-  const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  double t[3] = {9, 9, 9};
-  f.complement().translation(identity, t, nullptr);
-  for (const double v : t) EXPECT_EQ(v, 0);
+  EXPECT_EQ(f.complement().translation(Eigen::Matrix3d::Identity(), nullptr),
+            Eigen::Vector3d(0, 0, 0));
 }
 
-TEST(KnowledgeComplement, CountsItsLookUps) {
+TEST(KnowledgeComplement, CountsItsQueries) {
   Fixture f;
   f.source = ball(0, 0, 0);
   f.target = f.source;

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "evolution/knowledge_transfer.h"
-#include "support/clouds.h"
 #include "geometry/euler.h"
+#include "support/clouds.h"
 
 namespace {
 
@@ -48,12 +48,13 @@ TEST_F(KnowledgeTransfer, MixesByTheLinearLambdas) {
   EXPECT_NEAR(guides.beta[0], lb * 0.7 + (1 - lb) * 0.5, 1e-12);
   EXPECT_NEAR(guides.beta[2], lb * 0.1 + (1 - lb) * -0.3, 1e-12);
 
-  double R[9], t[3];
   const double rotation[3] = {0.7, -0.2, 0.1};
-  emtr::euler_to_rotation(rotation, R);
-  complement->translation(R, t, nullptr);
+  const Eigen::Vector3d t =
+      complement->translation(emtr::euler_to_rotation(rotation), nullptr);
   for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_NEAR(guides.alpha[k + 3], la * (0.1 * static_cast<double>(k + 1)) + (1 - la) * t[k],
+    EXPECT_NEAR(guides.alpha[k + 3],
+                la * (0.1 * static_cast<double>(k + 1)) +
+                    (1 - la) * t[static_cast<Eigen::Index>(k)],
                 1e-12);
 }
 
@@ -63,10 +64,7 @@ TEST_F(KnowledgeTransfer, AlongTheArcTheLambdasAreSharesOfTheWay) {
   const double la = 0.1 + 0.6 * it / 100, lb = 0.999 - 0.8 * it / 100;
   const auto guides = transfer.exchange(it, *alpha, *beta, true);
   const auto distance = [](const double* a, const double* b) {
-    double Ra[9], Rb[9];
-    emtr::euler_to_rotation(a, Ra);
-    emtr::euler_to_rotation(b, Rb);
-    return emtr::rotation_distance(Ra, Rb);
+    return emtr::rotation_distance(emtr::euler_to_rotation(a), emtr::euler_to_rotation(b));
   };
   const double* a = alpha->gbest_position();
   const double* b = beta->gbest_position();

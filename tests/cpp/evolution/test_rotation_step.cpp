@@ -5,21 +5,17 @@
 #include <random>
 
 #include "evolution/rotation_step.h"
+#include "geometry/euler.h"
 #include "geometry/rigid.h"
 #include "geometry/rotation_vector.h"
-#include "geometry/euler.h"
 
 namespace {
 
-using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using Rotation = Eigen::Matrix3d;
 
 struct Angles {
   double v[3];
-  Rotation R() const {
-    Rotation out;
-    emtr::euler_to_rotation(v, out.data());
-    return out;
-  }
+  Rotation R() const { return emtr::euler_to_rotation(v); }
 };
 
 class RotationStep : public testing::Test {
@@ -51,7 +47,7 @@ TEST_F(RotationStep, TheVectorBetweenLeadsFromOneToTheOtherByTheShortestWay) {
     EXPECT_LT((exponential(vector) * from.R() - to.R()).norm(), 1e-9);
     const double length = Eigen::Vector3d::Map(vector).norm();
     EXPECT_LE(length, M_PI + 1e-12);
-    EXPECT_NEAR(length, emtr::rotation_distance(from.R().data(), to.R().data()), 1e-7);
+    EXPECT_NEAR(length, emtr::rotation_distance(from.R(), to.R()), 1e-7);
   }
 }
 
@@ -64,13 +60,13 @@ TEST_F(RotationStep, NothingLiesBetweenOneRotationAndItself) {
   EXPECT_LT(Eigen::Vector3d::Map(vector).norm(), 1e-7);
 }
 
-TEST_F(RotationStep, ATurnIsTheExponentialOnTheLeft) {
+TEST_F(RotationStep, ARotationIsTheExponentialOnTheLeft) {
   std::uniform_real_distribution<double> component(-4, 4);
   for (int k = 0; k < 500; ++k) {
     const Angles before = any();
     const double vector[3] = {component(random), component(random), component(random)};
     Angles after = before;
-    emtr::turn(after.v, vector);
+    emtr::rotate_angles(after.v, vector);
     EXPECT_LT((after.R() - exponential(vector) * before.R()).norm(), 1e-9);
     EXPECT_LE(std::abs(after.v[0]), M_PI);
     EXPECT_LE(std::abs(after.v[1]), M_PI / 2);
@@ -84,7 +80,7 @@ TEST_F(RotationStep, GoesThroughTheGimbalLock) {
   for (const double step : {0.0, 1e-9, 1e-3, 1.0}) {
     const double vector[3] = {step, -step, step / 2};
     Angles after = lock;
-    emtr::turn(after.v, vector);
+    emtr::rotate_angles(after.v, vector);
     // Next to the lock angles keep half of their digits.
     EXPECT_LT((after.R() - exponential(vector) * lock.R()).norm(), 1e-7) << step;
     double back[3];

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "evolution/search_space.h"
-#include "priors/random_priors.h"
 #include "geometry/euler.h"
+#include "priors/random_priors.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ TEST(SearchSpace, WithoutAPriorGenesAreAnglesAndTranslation) {
     double genes[6], back[6];
     for (double& v : genes) v = d.uniform(-4, 4);
     const Rigid a = space.pose(genes), b = emtr::decode(genes);
-    EXPECT_TRUE(std::equal(a.R, a.R + 9, b.R) && std::equal(a.t, a.t + 3, b.t));
+    EXPECT_TRUE(a.R == b.R && a.t == b.t);
     space.encode(a, genes);
     emtr::encode(a, back);
     EXPECT_TRUE(std::equal(genes, genes + 6, back));
@@ -44,7 +44,8 @@ TEST(SearchSpace, GenesDecodeToAdmissiblePosesAndReachAllOfThem) {
     for (int k = 0; k < 20; ++k) {
       const emtr::Normalization normalization = any_frame(d, k % 2 ? 2 : 0);
       const Rigid inside = any_pose(d);
-      const auto prior = emtr::make_prior(limits_around(inside, normalization, which, d), normalization);
+      const auto prior =
+          emtr::make_prior(limits_around(inside, normalization, which, d), normalization);
       const SearchSpace space(bound, prior.get());
       const auto genes = space.pose_genes();
       for (int j = 0; j < 20; ++j) {
@@ -53,11 +54,7 @@ TEST(SearchSpace, GenesDecodeToAdmissiblePosesAndReachAllOfThem) {
           at[g] = d.uniform(genes[g].low, genes[g].high);
         const Rigid pose = space.pose(at);
         EXPECT_TRUE(prior->admits(pose)) << which;
-        double R[9];
-        space.rotation(at, R);
-        EXPECT_LT(prior->rotation().excess(Eigen::Quaterniond(Eigen::Matrix3d(
-                      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R)))),
-                  1e-9);
+        EXPECT_LT(prior->rotation().excess(Eigen::Quaterniond(space.rotation(at))), 1e-9);
         // There and back again; and what was decoded lies within the genes' ranges.
         space.encode(pose, back);
         const Rigid again = space.pose(back);
@@ -97,7 +94,7 @@ TEST(SearchSpace, AnArcIsTheShortestAndHasItsShare) {
     const SearchSpace space(1.2, prior);
     const auto genes = space.rotation_genes();
     for (int k = 0; k < 200; ++k) {
-      double from[3], to[3], at[3], R[3][9];
+      double from[3], to[3], at[3];
       for (std::size_t g = 0; g < 3; ++g) {
         // Angles fly on beyond their range.
         const double beyond = genes[g].wall ? 1 : 2;
@@ -106,9 +103,7 @@ TEST(SearchSpace, AnArcIsTheShortestAndHasItsShare) {
       }
       const double share = d.uniform(0, 1);
       space.arc(from, to, share, at);
-      space.rotation(from, R[0]);
-      space.rotation(to, R[1]);
-      space.rotation(at, R[2]);
+      const Eigen::Matrix3d R[3] = {space.rotation(from), space.rotation(to), space.rotation(at)};
       const double whole = emtr::rotation_distance(R[0], R[1]);
       if (prior != leaning.get()) {  // a tilt's limit need not hold on the way
         EXPECT_NEAR(emtr::rotation_distance(R[0], R[2]), share * whole, 1e-6);
@@ -116,15 +111,13 @@ TEST(SearchSpace, AnArcIsTheShortestAndHasItsShare) {
       }
       if (prior) {
         emtr::Rigid pose;
-        std::copy_n(R[2], 9, pose.R);
+        pose.R = R[2];
         EXPECT_TRUE(prior->admits(prior->project(pose)));
         EXPECT_LT(emtr::rotation_distance(prior->project(pose).R, R[2]), 1e-9);
       }
       double none[3];
       space.arc(from, to, 0, none);
-      double back[9];
-      space.rotation(none, back);
-      EXPECT_LT(emtr::rotation_distance(back, R[0]), 1e-7);
+      EXPECT_LT(emtr::rotation_distance(space.rotation(none), R[0]), 1e-7);
       if (!prior) {  // of all angles those nearest to where the receiver is
         for (std::size_t g = 0; g < 3; ++g) EXPECT_LE(std::abs(at[g] - from[g]), 2 * M_PI);
       }

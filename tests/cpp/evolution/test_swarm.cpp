@@ -178,15 +178,4 @@ TEST(Swarm, StepsByRotationVectorsTakeTheShortWay) {
   EXPECT_LT(swarm.gbest_fitness(), 1e-3);
 }
 
-TEST(Swarm, TheWorstAreThoseWithTheWorstBestsAndNeverGbest) {
-  Settings settings = emtr::preset("paper");
-  settings.population = 6;
-  Swarm swarm(std::vector<Gene>(1, {-5, 5, false}), settings, Stream::Alpha, RotationSteps::Angles);
-  swarm.fitness() = {3, 1, 5, 5, 2, 4};
-  swarm.update_bests();
-  EXPECT_EQ(swarm.worst(0.5), (std::vector<std::size_t>{2, 3, 5}));
-  EXPECT_EQ(swarm.worst(1), (std::vector<std::size_t>{2, 3, 5, 0, 4}));
-  EXPECT_TRUE(swarm.worst(0.1).empty());
-}
-
 }  // namespace

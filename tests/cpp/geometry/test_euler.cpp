@@ -7,13 +7,9 @@
 
 namespace {
 
-using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using Matrix = Eigen::Matrix3d;
 
-Matrix rotation(const double* angles) {
-  Matrix R;
-  emtr::euler_to_rotation(angles, R.data());
-  return R;
-}
+Matrix rotation(const double* angles) { return emtr::euler_to_rotation(angles); }
 
 Matrix oracle(const double* a) {
   using Eigen::AngleAxisd;
@@ -38,7 +34,7 @@ TEST(Euler, RoundTripsThroughCanonicalAngles) {
   for (int i = 0; i < 500; ++i) {
     const double angles[3] = {far(random), i % 10 ? far(random) : M_PI / 2, far(random)};
     double back[3];
-    emtr::rotation_to_euler(rotation(angles).data(), back);
+    emtr::rotation_to_euler(rotation(angles), back);
     EXPECT_LE(std::abs(back[1]), M_PI / 2);
     EXPECT_LT((rotation(back) - rotation(angles)).norm(), 1e-7);
   }

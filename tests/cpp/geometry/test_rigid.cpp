@@ -43,12 +43,23 @@ TEST(Rigid, KnowsARigidMotion) {
 
 TEST(Rigid, RotationDistanceIsTheAngleAtEverySize) {
   for (const double angle : {1e-9, 1e-4, 0.5, 3.0, 3.14159}) {
-    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> a =
+    const Eigen::Matrix3d a =
         Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized().matrix();
-    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> b =
+    const Eigen::Matrix3d b =
         a * Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
-    EXPECT_NEAR(emtr::rotation_distance(a.data(), b.data()) / angle, 1, 1e-6);
+    EXPECT_NEAR(emtr::rotation_distance(a, b) / angle, 1, 1e-6);
   }
+}
+
+TEST(Rigid, ProductsAndInverseAreThoseOfTheirMatrices) {
+  const emtr::Rigid a{Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized().toRotationMatrix(),
+                      {1, -2, 3}},
+      b{Eigen::Quaterniond(-0.8, 0.1, 0.4, 0.6).normalized().toRotationMatrix(), {-0.5, 4, 0.25}};
+  const Eigen::Vector3d p(0.7, -1.1, 2.3);
+  EXPECT_LT((a * p - (a.R * p + a.t)).norm(), 1e-15);
+  EXPECT_LT((a.rotate(p) - a.R * p).norm(), 1e-15);
+  EXPECT_LT(((a * b) * p - a * (b * p)).norm(), 1e-14);
+  EXPECT_LT((a.inverse() * (a * p) - p).norm(), 1e-14);
 }
 
 }  // namespace

@@ -75,8 +75,8 @@ TEST(DescriptorKernels, CountEachPairInTheBinsOfItsAngles) {
         expected[11 + bin((a[1] + 1) / 2)] += share;
         expected[22 + bin((a[2] + 1) / 2)] += share;
       }
-      const emtr::SurfacePoint query = {cloud.x[i],   cloud.y[i],   cloud.z[i],
-                                        normals.x[i], normals.y[i], normals.z[i]};
+      const emtr::SurfacePoint query = {{cloud.x[i], cloud.y[i], cloud.z[i]},
+                                        {normals.x[i], normals.y[i], normals.z[i]}};
       std::vector<float> first(emtr::kDescriptorRow);
       emtr::kernels_at(0)->pair_histograms(list, query, radius, first.data());
       for (const Kernels* k : kernels_here()) {
@@ -125,7 +125,7 @@ TEST(DescriptorKernels, LeastDirectionsAreThoseOfTheCovariance) {
   const float viewpoint[3] = {0, 0, 0};
   Cloud first;
   first.resize(discs);
-  emtr::kernels_at(0)->least_directions(moments.data(), discs, centres.view(), viewpoint,
+  emtr::kernels_at(0)->plane_normals(moments.data(), discs, centres.view(), viewpoint,
                                         first.x.data(), first.y.data(), first.z.data());
   for (std::size_t k = 0; k < discs; ++k) {
     const Double3 n = at(first, k);
@@ -150,7 +150,7 @@ TEST(DescriptorKernels, LeastDirectionsAreThoseOfTheCovariance) {
   for (const Kernels* kernel : kernels_here()) {
     Cloud found;
     found.resize(discs);
-    kernel->least_directions(moments.data(), discs, centres.view(), viewpoint, found.x.data(),
+    kernel->plane_normals(moments.data(), discs, centres.view(), viewpoint, found.x.data(),
                              found.y.data(), found.z.data());
     EXPECT_EQ(found.x, first.x) << kernel->name;
     EXPECT_EQ(found.y, first.y) << kernel->name;
@@ -203,7 +203,7 @@ TEST(DescriptorKernels, LeastSquaredIsTheNearestOfTheList) {
     }
     const float query[3] = {queries.x[i], queries.y[i], queries.z[i]};
     for (const Kernels* k : kernels_here())
-      EXPECT_EQ(k->least_squared(cloud.view(), query), expected) << k->name;
+      EXPECT_EQ(k->minimum_squared_distance(cloud.view(), query), expected) << k->name;
   }
 }
 

@@ -11,7 +11,7 @@
 
 #include "bumpy_pair.h"
 
-/// A made pair as clouds of any point type; the pose is known.
+/// Gives a synthetic pair with a known pose as clouds of any point type.
 class Pair {
  public:
   explicit Pair(std::uint64_t seed = 1, std::size_t count = 3000, double unit = 1.0) {
@@ -34,7 +34,7 @@ class Pair {
     return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(pair_.pose);
   }
 
-  /// How far `estimate` puts the source from where it belongs, in radii of the ball.
+  /// Returns how far `estimate` puts the source from its true place, in radii of the ball.
   template <typename Scalar>
   double error(const Eigen::Matrix<Scalar, 4, 4>& estimate) const {
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = estimate.template cast<double>();
@@ -58,11 +58,11 @@ class Pair {
   bumpy_pair pair_;
 };
 
-/// Below this the pose is right: 5 degrees of rotation alone are about 0.07.
+/// The largest error of a right pose: 5 degrees of rotation alone are about 0.07.
 constexpr double kRight = 0.05;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-/// One pair that the tests share; nobody may change its clouds.
+/// Returns one pair for all tests; each call makes new clouds of it.
 inline const Pair& sharedPair() {
   static const Pair pair;
   return pair;

@@ -1,4 +1,4 @@
-// A program written for ICP, of which only the include and the type were changed by the build.
+// Tests a program written for ICP in which the build changed only the include and the type.
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -57,7 +57,7 @@ TEST(DropIn, TheSameProgramWithAnotherIncludeAndType) {
   EXPECT_TRUE(ours.converged);
   EXPECT_LT(sharedPair().error(ours.transformation), kRight);
   EXPECT_GT(ours.score, 0.0);
-  EXPECT_LT(ours.score, 0.1);  // squared radii, the part that has no partner included
+  EXPECT_LT(ours.score, 0.1);  // squared radii, with the points that have no correspondence
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What goes in: indices, points that are not finite, empty and missing clouds, wrong settings.
+// Tests the inputs: indices, points that are not finite, empty and missing clouds, wrong settings.
 #include <pcl/registration/emtr_ssc.h>
 
 #include "support.h"
@@ -16,7 +16,7 @@ class Inputs : public testing::Test {
     reg.setInputTarget(target);
   }
 
-  /// No pose, and nothing that looks like one: `word` is in the message.
+  /// Expects no pose, nothing that looks like one, and `word` in the message.
   void expectNoPose(const std::string& word) {
     EXPECT_FALSE(reg.hasConverged());
     EXPECT_TRUE(allNaN(reg.getFinalTransformation()));
@@ -150,7 +150,7 @@ TEST_F(Inputs, AnEmptyOrNullTargetDropsTheOldOne) {
   }
 }
 
-TEST_F(Inputs, ANewInputForgetsTheLastResult) {
+TEST_F(Inputs, ANewInputResetsTheResult) {
   reg.align(output);
   ASSERT_TRUE(reg.hasConverged());
   const Registration::ResultConstPtr kept = reg.getResult();

@@ -1,10 +1,10 @@
-// Point types that are not compiled into the library: one of the user's own, and a mixed pair.
+// Tests point types that the library does not instantiate: a user's own type, and a mixed pair.
 #define PCL_NO_PRECOMPILE
 #include <pcl/registration/emtr_ssc.h>
 
 #include "support.h"
 
-/// As a driver of a lidar would have it.
+/// A point as a lidar driver defines it.
 struct EIGEN_ALIGN16 LidarPoint {
   PCL_ADD_POINT4D;
   float intensity;

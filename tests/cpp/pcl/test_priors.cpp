@@ -1,4 +1,4 @@
-// What is known of the pose, by the setters of the class.
+// Tests the setters of the priors.
 #include <pcl/registration/emtr_ssc.h>
 
 #include <Eigen/Geometry>
@@ -28,17 +28,17 @@ class Priors : public testing::Test {
   }
 
   const Eigen::Matrix4d truth = sharedPair().pose();
-  const Eigen::AngleAxisd turn{Eigen::Matrix3d(truth.topLeftCorner<3, 3>())};
+  const Eigen::AngleAxisd true_rotation{Eigen::Matrix3d(truth.topLeftCorner<3, 3>())};
   Cloud output;
   Registration reg;
 };
 
 TEST_F(Priors, OnlyRotationsAboutTheAxis) {
-  reg.setRotationAxis(3 * turn.axis());
+  reg.setRotationAxis(3 * true_rotation.axis());
   ASSERT_TRUE(align()) << reg.getReasonText();
   EXPECT_LT(sharedPair().error(reg.getFinalTransformation()), kRight);
-  EXPECT_LT((rotation() * turn.axis() - turn.axis()).norm(), 1e-8);
-  const Eigen::Vector3d other = turn.axis().unitOrthogonal();
+  EXPECT_LT((rotation() * true_rotation.axis() - true_rotation.axis()).norm(), 1e-8);
+  const Eigen::Vector3d other = true_rotation.axis().unitOrthogonal();
   reg.setRotationAxis(other);
   EXPECT_FALSE(align());
   EXPECT_LT((rotation() * other - other).norm(), 1e-8);
@@ -64,7 +64,7 @@ TEST_F(Priors, OnlyPosesNearTheGuess) {
 TEST_F(Priors, BoundsAndTheWholeRotation) {
   const Eigen::Vector3d t = truth.topRightCorner<3, 1>(), side(0.1, 0.1, 0.1);
   reg.setTranslationBounds(t - side, t + side);
-  reg.setMaximumRotation(std::min(180.0, turn.angle() * 180 / M_PI + 1));
+  reg.setMaximumRotation(std::min(180.0, true_rotation.angle() * 180 / M_PI + 1));
   ASSERT_TRUE(align()) << reg.getReasonText();
   reg.setTranslationBounds(t + side, t + 2 * side);
   align();

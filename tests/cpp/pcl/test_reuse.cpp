@@ -1,4 +1,4 @@
-// One target for many sources: what is kept between two calls of align(), and what is not.
+// Tests one target with many sources: what is cached between two calls of align(), and what is not.
 #include <pcl/registration/emtr_ssc.h>
 
 #include <cstring>
@@ -68,32 +68,32 @@ TEST(Reuse, ChangesOfPointsInPlaceAndOfIndicesAreSeen) {
   EXPECT_EQ(reg.getResult()->points_source, 2000u);
 }
 
-TEST(Reuse, AnUnchangedCloudIsPreparedOnce) {
+TEST(Reuse, AnUnchangedCloudIsPreprocessedOnce) {
   Cloud::Ptr cloud = sharedPair().source();
   (*cloud)[9].x = kNaN;
-  pcl::detail::CachedCloud input;
-  const auto first = input.of(*cloud, "source", 1);
+  pcl::detail::CachedCloud cache;
+  const auto first = cache.get(*cloud, "source", 1);
   ASSERT_NE(first, nullptr);
-  EXPECT_EQ(input.of(*cloud, "source", 2), first);
+  EXPECT_EQ(cache.get(*cloud, "source", 2), first);
   const Cloud copy = *cloud;
-  EXPECT_EQ(input.of(copy, "source", 1), first);
+  EXPECT_EQ(cache.get(copy, "source", 1), first);
   (*cloud)[77].z += 1e-6f;
-  const auto second = input.of(*cloud, "source", 1);
+  const auto second = cache.get(*cloud, "source", 1);
   EXPECT_NE(second, first);
   cloud->push_back(pcl::PointXYZ(1, 2, 3));
-  EXPECT_NE(input.of(*cloud, "source", 1), second);
+  EXPECT_NE(cache.get(*cloud, "source", 1), second);
 }
 
-TEST(Reuse, AfterAnErrorTheCloudIsLookedAtAgain) {
-  pcl::detail::CachedCloud input;
+TEST(Reuse, AfterAnErrorTheCloudIsPreprocessedAgain) {
+  pcl::detail::CachedCloud cache;
   Cloud few(4, 1);
-  EXPECT_EQ(input.of(few, "source", 1), nullptr);
+  EXPECT_EQ(cache.get(few, "source", 1), nullptr);
   EXPECT_NE(std::strstr(emtr_error_message(), "source cloud: 4 finite points"), nullptr);
-  EXPECT_EQ(input.of(few, "source", 1), nullptr);
-  EXPECT_NE(input.of(*sharedPair().source(), "source", 1), nullptr);
+  EXPECT_EQ(cache.get(few, "source", 1), nullptr);
+  EXPECT_NE(cache.get(*sharedPair().source(), "source", 1), nullptr);
 }
 
-TEST(Reuse, ThePreparationCountsInTheTimings) {
+TEST(Reuse, ThePreprocessingCountsInTheTimings) {
   const Pair large(1, 250000);
   Registration reg;
   reg.setNumberOfThreads(1);

@@ -1,4 +1,4 @@
-// Settings, own and inherited: which act, which do not, and how they are refused.
+// Tests own and inherited settings: which act, which do not, and how they are refused.
 #include <pcl/registration/emtr_ssc.h>
 
 #include "support.h"
@@ -7,12 +7,12 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/// Opens what the base class keeps to itself.
+/// Gives access to a protected member of the base class.
 struct Registration : pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ> {
   int iterationsDone() const { return nr_iterations_; }
 };
 
-/// Tells whether it was asked.
+/// Counts how often it is called.
 struct Rejector : pcl::registration::CorrespondenceRejector {
   void getRemainingCorrespondences(const pcl::Correspondences&, pcl::Correspondences&) override {
     ++calls;
@@ -50,7 +50,7 @@ TEST_F(Settings, TheSameBitsEveryTimeAndForEveryNumberOfThreads) {
 }
 
 TEST_F(Settings, AnotherSeedTakesAnotherWay) {
-  // By the swarm alone, which a refinement would bring to the same place from any seed.
+  // By the swarm alone: the refinement would bring any seed to the same pose.
   ASSERT_TRUE(reg.setPreset("paper"));
   EXPECT_EQ(reg.getSeed(), 0u);
   const Eigen::Matrix4f first = align();
@@ -108,13 +108,13 @@ TEST_F(Settings, AWrongNameOrValueIsRefusedAndChangesNothing) {
 }
 
 TEST_F(Settings, AGuessIsOneHypothesis) {
-  // Too short a run to find anything by itself, and no seeds.
+  // The run is too short to find the pose by itself, and has no seeds.
   ASSERT_TRUE(reg.setPreset("paper"));
   reg.setMaximumIterations(2);
   ASSERT_TRUE(reg.setSetting("transfer", 0));
   EXPECT_GT(sharedPair().error(align()), kRight);
   const Eigen::Matrix4f pose = sharedPair().pose().cast<float>();
-  // From the original source into the target, guess included, and so is the output.
+  // The transformation maps the original source, with the guess included; so does the output.
   EXPECT_LT(sharedPair().error(align(pose)), kRight);
   const pcl::PointXYZ& p = (*source)[0];
   const Eigen::Vector4f moved = pose * Eigen::Vector4f(p.x, p.y, p.z, 1);

@@ -1,4 +1,4 @@
-// Every compiled point type and scalar: the pose, its precision, the output and its fields.
+// Tests every instantiated point type and scalar: pose, precision, output and its fields.
 #include <pcl/registration/emtr_ssc.h>
 
 #include <type_traits>
@@ -19,7 +19,7 @@ constexpr bool hasNormal() {
          std::is_same<PointT, pcl::PointXYZINormal>::value;
 }
 
-/// Something in each field that the registration does not touch.
+/// Writes to each field that the registration does not change.
 void mark(pcl::PointXYZ&, float) {}
 void mark(pcl::PointXYZI& p, float value) { p.intensity = value; }
 void mark(pcl::PointXYZRGB& p, float value) { p.r = static_cast<std::uint8_t>(value); }
@@ -82,7 +82,7 @@ TYPED_TEST(Types, GiveTheSamePoseAndAMovedCopy) {
   EXPECT_LT(sharedPair().error(pose), kRight);
   EXPECT_TRUE(sameBits(pose, reg.getLastIncrementalTransformation()));
 
-  // The library's own digits, in the scalar that was asked for.
+  // The pose has the library's digits, in the scalar of the class.
   const double* rows = reg.getResult()->transformation;
   for (int i = 0; i < 16; ++i) EXPECT_EQ(pose(i / 4, i % 4), static_cast<Scalar>(rows[i]));
   if (std::is_same<Scalar, double>::value) {
@@ -90,13 +90,14 @@ TYPED_TEST(Types, GiveTheSamePoseAndAMovedCopy) {
     EXPECT_LT((r * r.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
   }
 
-  // The type of the points changes nothing.
+  // The point type does not change the pose.
   static Eigen::Matrix4f first = pose.template cast<float>();
   EXPECT_TRUE(sameBits(first, Eigen::Matrix4f(pose.template cast<float>())));
 
   ASSERT_EQ(output.size(), source->size());
   const Eigen::Matrix4d move = pose.template cast<double>();
-  const Eigen::Vector3f turned = (move.topLeftCorner<3, 3>() * normal.cast<double>()).cast<float>();
+  const Eigen::Vector3f rotated =
+      (move.topLeftCorner<3, 3>() * normal.cast<double>()).cast<float>();
   for (std::size_t i = 0; i < output.size(); ++i) {
     const PointT& p = (*source)[i];
     const Eigen::Vector4d moved = move * Eigen::Vector4d(p.x, p.y, p.z, 1.0);
@@ -105,7 +106,7 @@ TYPED_TEST(Types, GiveTheSamePoseAndAMovedCopy) {
     ASSERT_NEAR(output[i].z, moved.z(), 1e-6);
     const auto value = static_cast<float>(i % 200);
     ASSERT_EQ(marked(output[i], value), value);
-    ASSERT_LT((normalOf(output[i], turned, normals) - turned).norm(), 1e-6);
+    ASSERT_LT((normalOf(output[i], rotated, normals) - rotated).norm(), 1e-6);
   }
 }
 

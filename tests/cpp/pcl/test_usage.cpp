@@ -1,10 +1,9 @@
-// In the places where a pcl::Registration is used, and the progress of a run.
+// Tests the class in the places where PCL uses a pcl::Registration.
 #include <pcl/registration/emtr_ssc.h>
 #include <pcl/registration/incremental_registration.h>
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
 #include "support.h"
@@ -76,7 +75,7 @@ TEST_F(Usage, InAnIncrementalRegistration) {
   EXPECT_LT(sharedPair().error(incremental.getAbsoluteTransform()), kRight);
 }
 
-// Trees that are cached or not, as other classes of PCL are used.
+// As PCL tests its own classes: each tree cached or not.
 TEST_F(Usage, WithEachWayToCacheTheTrees) {
   reg.align(output);
   const Eigen::Matrix4f first = reg.getFinalTransformation();
@@ -85,7 +84,7 @@ TEST_F(Usage, WithEachWayToCacheTheTrees) {
     for (const bool keep_source : {false, true}) {
       pcl::search::KdTree<pcl::PointXYZ>::Ptr of_target(new pcl::search::KdTree<pcl::PointXYZ>);
       pcl::search::KdTree<pcl::PointXYZ>::Ptr of_source(new pcl::search::KdTree<pcl::PointXYZ>);
-      // A tree that is not to be kept holds the wrong cloud at first.
+      // A tree that is not cached holds the wrong cloud at first.
       of_target->setInputCloud(keep_target ? target : source);
       of_source->setInputCloud(keep_source ? source : target);
       reg.setSearchMethodTarget(of_target, keep_target);
@@ -107,7 +106,7 @@ TEST_F(Usage, IntoTheSourceItself) {
   EXPECT_NEAR((*source)[9].x, moved.x(), 1e-5);
 }
 
-TEST_F(Usage, AnOrganisedCloudStaysOrganised) {
+TEST_F(Usage, AnOrganizedCloudStaysOrganized) {
   source->width = static_cast<std::uint32_t>(source->size() / 10);
   source->height = 10;
   source->header.frame_id = "scanner";
@@ -127,54 +126,6 @@ TEST_F(Usage, ACopyIsIndependent) {
   copy.align(output);
   EXPECT_TRUE(copy.hasConverged());
   EXPECT_EQ(reg.getResult()->seed, 0u);
-}
-
-TEST_F(Usage, ProgressIsToldAndChangesNothing) {
-  reg.align(output);
-  const Eigen::Matrix4f first = reg.getFinalTransformation();
-  int iterations = 0;
-  reg.setProgressCallback([&](const emtr_progress& progress) {
-    iterations = std::max(iterations, progress.iteration);
-    return true;
-  });
-  reg.align(output);
-  EXPECT_EQ(iterations, reg.getMaximumIterations());
-  EXPECT_TRUE(sameBits(first, reg.getFinalTransformation()));
-}
-
-TEST_F(Usage, ProgressCanStopTheRun) {
-  reg.setProgressCallback([](const emtr_progress& progress) { return progress.iteration < 5; });
-  reg.align(output);
-  EXPECT_FALSE(reg.hasConverged());
-  EXPECT_EQ(reg.getErrorMessage(), "");
-  ASSERT_NE(reg.getResult(), nullptr);
-  EXPECT_EQ(reg.getResult()->reason, EMTR_REASON_INTERRUPTED);
-  EXPECT_EQ(reg.getResult()->iterations, 5u);
-  EXPECT_EQ(reg.getReasonText(), emtr_reason_text(EMTR_REASON_INTERRUPTED));
-}
-
-TEST_F(Usage, StoppedBeforeAnyPoseTheOutputStaysWhereItWas) {
-  reg.setProgressCallback([](const emtr_progress&) { return false; });
-  reg.align(output);
-  EXPECT_FALSE(reg.hasConverged());
-  EXPECT_TRUE(allNaN(reg.getFinalTransformation()));
-  ASSERT_EQ(output.size(), source->size());
-  EXPECT_EQ(output[1].x, (*source)[1].x);
-}
-
-TEST_F(Usage, WhatTheCallbackThrowsComesOutOfAlign) {
-  reg.setProgressCallback([](const emtr_progress& progress) {
-    if (progress.iteration == 3) throw std::runtime_error("enough");
-    return true;
-  });
-  EXPECT_THROW(reg.align(output), std::runtime_error);
-  EXPECT_FALSE(reg.hasConverged());
-  EXPECT_TRUE(allNaN(reg.getFinalTransformation()));
-  EXPECT_NE(reg.getErrorMessage(), "");
-  reg.setProgressCallback({});
-  reg.align(output);
-  EXPECT_TRUE(reg.hasConverged());
-  EXPECT_EQ(reg.getErrorMessage(), "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Normals, features and correspondences that are handed in: what the class makes of them.
+// Tests user-provided normals, features and correspondences.
 #include <pcl/registration/emtr_ssc.h>
 
 #include <algorithm>
@@ -31,7 +31,8 @@ pcl::PointCloud<pcl::Normal>::Ptr normalsOf(const std::vector<float>& packed) {
   return cloud;
 }
 
-/// Numbers that tell where on the relief a point is, the same from both sides.
+/// Returns a number of a descriptor that depends on the place on the relief alone, so that both
+/// clouds have the same.
 float code(const std::vector<float>& packed, bool source, std::size_t point, std::size_t number) {
   const float x = source ? packed[3 * point + 2] - 4 : packed[3 * point],
               y = source ? packed[3 * point] - 4 : packed[3 * point + 1],
@@ -60,7 +61,7 @@ pcl::CorrespondencesPtr correspondencesOf(const std::vector<std::int32_t>& rows)
   return out;
 }
 
-class Handed : public testing::Test {
+class UserInput : public testing::Test {
  protected:
   void SetUp() override {
     reg.setPreset("fast");
@@ -80,7 +81,7 @@ class Handed : public testing::Test {
     return KnownPair::error(T.data());
   }
 
-  /// What the C interface makes of the same.
+  /// Returns the pose that the C API gives for the same input.
   Eigen::Matrix4d byC(emtr_cloud from, emtr_cloud to, const std::vector<std::int32_t>& rows = {}) {
     emtr_settings settings = reg.getSettings();
     if (!rows.empty()) settings.correspondences = rows.data();
@@ -100,7 +101,7 @@ class Handed : public testing::Test {
   Registration reg;
 };
 
-TEST_F(Handed, FeaturesOfEachKindRegister) {
+TEST_F(UserInput, FeaturesOfEachKindRegister) {
   reg.setSourceFeatures(fpfhOf(pair.source, true));
   reg.setTargetFeatures(Fpfh::ConstPtr(fpfhOf(pair.target, false)));
   EXPECT_LT(error(), 0.02) << reg.getErrorMessage();
@@ -134,12 +135,12 @@ TEST_F(Handed, FeaturesOfEachKindRegister) {
   EXPECT_TRUE(sameBits(found, byC(from, to)));
 }
 
-TEST_F(Handed, ARepresentationScalesAndChooses) {
+TEST_F(UserInput, ARepresentationScalesAndChooses) {
   pcl::CustomPointRepresentation<pcl::FPFHSignature33> first(4);
   const float scales[] = {1, 0.5f, 2, 3};
   first.setRescaleValues(scales);
   auto from = fpfhOf(pair.source, true);
-  (*from)[7].histogram[2] = kNaN;  // invalid: it has none
+  (*from)[7].histogram[2] = kNaN;  // invalid: no descriptor
   reg.setSourceFeatures(from, first);
   reg.setTargetFeatures(fpfhOf(pair.target, false), first);
   const Eigen::Matrix4d found = align();
@@ -161,14 +162,14 @@ struct Unknown {
   float values[9];
 };
 
-TEST_F(Handed, ATypeThatPclCannotReadIsRefused) {
+TEST_F(UserInput, ATypeThatPclCannotReadIsRefused) {
   reg.setSourceFeatures(fpfhOf(pair.source, true));
   reg.setSourceFeatures(pcl::make_shared<pcl::PointCloud<Unknown>>());  // none are left
   const Eigen::Matrix4d plain = align();
   EXPECT_TRUE(sameBits(plain, byC(pair.source_cloud(), pair.target_cloud())));
 }
 
-TEST_F(Handed, NormalsAreTheOnesOfTheCInterface) {
+TEST_F(UserInput, NormalsGiveThePoseOfTheCApi) {
   reg.setSourceNormals(normalsOf(pair.source_normals));
   const Eigen::Matrix4d one = align();
   reg.setTargetNormals(normalsOf(pair.target_normals));
@@ -184,7 +185,7 @@ TEST_F(Handed, NormalsAreTheOnesOfTheCInterface) {
   EXPECT_TRUE(sameBits(align(), byC(pair.source_cloud(), pair.target_cloud())));
 }
 
-TEST_F(Handed, CorrespondencesMayMostlyBeWrong) {
+TEST_F(UserInput, CorrespondencesMayMostlyBeWrong) {
   const auto rows = pair.correspondences(400, 5);
   reg.setCorrespondences(correspondencesOf(rows));
   const Eigen::Matrix4d found = align();
@@ -197,7 +198,7 @@ TEST_F(Handed, CorrespondencesMayMostlyBeWrong) {
   EXPECT_TRUE(sameBits(align(), byC(pair.source_cloud(), pair.target_cloud())));
 }
 
-TEST_F(Handed, CorrespondencesInSettingsAreNotKept) {
+TEST_F(UserInput, CorrespondencesInSettingsAreIgnored) {
   const auto rows = pair.correspondences(400, 5);
   emtr_settings settings = reg.getSettings();
   settings.correspondences = rows.data();
@@ -206,7 +207,7 @@ TEST_F(Handed, CorrespondencesInSettingsAreNotKept) {
   EXPECT_EQ(reg.getSettings().correspondences, nullptr);
 }
 
-TEST_F(Handed, WithIndicesTheyAreThoseOfTheWholeCloud) {
+TEST_F(UserInput, WithIndicesTheyAreThoseOfTheWholeCloud) {
   auto indices = pcl::make_shared<pcl::Indices>(source->size());
   std::iota(indices->begin(), indices->end(), 0);
   std::reverse(indices->begin(), indices->end());
@@ -253,7 +254,7 @@ TEST_F(Handed, WithIndicesTheyAreThoseOfTheWholeCloud) {
   EXPECT_TRUE(sameBits(align(), whole));
 }
 
-TEST_F(Handed, WhatDoesNotFitIsSaid) {
+TEST_F(UserInput, InputThatDoesNotFitIsReported) {
   const auto message = [&] {
     align();
     EXPECT_FALSE(reg.hasConverged());

@@ -1,4 +1,4 @@
-// Where the sensors stood: set, or told by the clouds, or unknown.
+// Tests viewpoints: set, taken from the clouds, or unknown.
 #include <pcl/registration/emtr_ssc.h>
 
 #include "support.h"
@@ -12,17 +12,17 @@ class Viewpoints : public testing::Test {
  protected:
   void SetUp() override {
     reg.setNumberOfThreads(2);
-    ASSERT_TRUE(reg.setPreset("thorough"));  // they are asked for in the fallback search
+    ASSERT_TRUE(reg.setPreset("thorough"));  // whose fallback search uses viewpoints
     reg.setInputSource(source);
     reg.setInputTarget(target);
-    // Far out on the side that each scan is of: the target's frame is the ball's own.
+    // Far out on the scanned side of each cloud; the target's frame is the ball's own.
     of_target = 20.0f * Eigen::Vector3f(-0.35f, 0.0f, 0.94f);
     const Eigen::Matrix4d back = sharedPair().pose().inverse();
     of_source = (back * Eigen::Vector4d(7.0, 0.0, 18.8, 1.0)).head<3>().cast<float>();
     unknown = score();
   }
 
-  /// Tells one run from another: the score is of the surfaces as the sensors saw them.
+  /// Returns the score, which depends on the viewpoints and so distinguishes the runs.
   double score() {
     reg.align(output);
     EXPECT_TRUE(reg.hasConverged()) << reg.getReasonText();

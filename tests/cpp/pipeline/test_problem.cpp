@@ -5,9 +5,9 @@
 #include <cstring>
 #include <string>
 
-#include "util/error.h"
-#include "pipeline/problem.h"
 #include "support/clouds.h"
+#include "support/problems.h"
+#include "util/error.h"
 
 namespace {
 
@@ -15,8 +15,9 @@ TEST(Problem, RegistersWhateverThePoseAndTheUnit) {
   for (const std::uint64_t seed : {1u, 2u, 3u})
     for (const double unit : {1e-3, 1.0, 1e3}) {
       const emtr_test::Pair pair(seed, 5000, unit);
-      const emtr::Problem problem(pair.source(), pair.target(), emtr::preset("paper"), nullptr);
-      const auto result = problem.solve(nullptr);
+      const auto problem =
+          emtr_test::problem_of(pair.source(), pair.target(), emtr::preset("paper"));
+      const auto result = emtr_test::solve(*problem);
       EXPECT_TRUE(result->registered) << seed << ' ' << unit;
       EXPECT_LT(pair.error(result->transformation), 0.05) << seed << ' ' << unit;
     }
@@ -24,8 +25,8 @@ TEST(Problem, RegistersWhateverThePoseAndTheUnit) {
 
 TEST(Problem, SolvesAgainToTheSameBits) {
   const emtr_test::Pair pair(4, 5000);
-  const emtr::Problem problem(pair.source(), pair.target(), emtr::preset("paper"), nullptr);
-  const auto a = problem.solve(nullptr), b = problem.solve(nullptr);
+  const auto problem = emtr_test::problem_of(pair.source(), pair.target(), emtr::preset("paper"));
+  const auto a = emtr_test::solve(*problem), b = emtr_test::solve(*problem);
   EXPECT_TRUE(std::equal(a->transformation, a->transformation + 16, b->transformation));
   EXPECT_EQ(a->alpha, b->alpha);
   EXPECT_EQ(a->beta, b->beta);
@@ -35,12 +36,12 @@ TEST(Problem, AllNeighborStructuresGiveTheSameBits) {
   const emtr_test::Pair pair(5, 3000);
   emtr::Settings settings = emtr::preset("paper");
   settings.iterations = 20;
-  const auto solve = [&](int kind) {
+  const auto solve = [&](emtr_neighbors kind) {
     settings.neighbors = kind;
-    return emtr::Problem(pair.source(), pair.target(), settings, nullptr).solve(nullptr);
+    return emtr_test::solve(*emtr_test::problem_of(pair.source(), pair.target(), settings));
   };
-  const auto grid = solve(0);
-  for (const int kind : {1, 2}) {
+  const auto grid = solve(EMTR_NEIGHBORS_GRID);
+  for (const emtr_neighbors kind : {EMTR_NEIGHBORS_KDTREE, EMTR_NEIGHBORS_BRUTE_FORCE}) {
     const auto other = solve(kind);
     EXPECT_EQ(grid->alpha, other->alpha);
     EXPECT_TRUE(std::equal(grid->transformation, grid->transformation + 16, other->transformation));
@@ -52,9 +53,10 @@ TEST(Problem, CanBeStoppedBeforeEveryStage) {
   for (const std::string stop :
        {"normalization", "downsampling", "features", "matching", "evolution", "verdict"}) {
     const auto at = [&](const emtr_progress& p) { return stop == p.stage; };
-    const emtr::Problem problem(pair.source(), pair.target(), emtr::preset("paper"), at);
-    EXPECT_EQ(problem.stopped(), stop != "evolution" && stop != "verdict");
-    const auto result = problem.solve(at);
+    const auto problem =
+        emtr_test::problem_of(pair.source(), pair.target(), emtr::preset("paper"), at);
+    EXPECT_EQ(problem->stopped, stop != "evolution" && stop != "verdict");
+    const auto result = emtr_test::solve(*problem, at);
     EXPECT_FALSE(result->registered);
     EXPECT_EQ(result->reason, EMTR_REASON_INTERRUPTED);
     EXPECT_EQ(std::isnan(result->transformation[0]), stop != "verdict") << stop;
@@ -68,36 +70,34 @@ TEST(Problem, UnrelatedCloudsAreNotRegistered) {
   for (std::size_t i = 0; i < flat.size(); ++i)
     plate.insert(plate.end(), {flat.x[i], flat.y[i], flat.z[i]});
   const emtr_cloud target{plate.data(), flat.size(), 0, EMTR_FLOAT32};
-  const emtr::Problem problem(a.source(), target, emtr::preset("paper"), nullptr);
-  EXPECT_FALSE(problem.solve(nullptr)->registered);
+  const auto problem = emtr_test::problem_of(a.source(), target, emtr::preset("paper"));
+  EXPECT_FALSE(emtr_test::solve(*problem)->registered);
 }
 
 TEST(Problem, FeaturesAreOfTheBackendThatTheSettingNames) {
   const emtr_test::Pair pair(10, 4000);
   for (const auto backend : {emtr::FeatureBackend::Pcl, emtr::FeatureBackend::Simd}) {
     emtr::Settings settings = emtr::preset("paper");
-    EXPECT_EQ(settings.features, 0);
+    EXPECT_EQ(settings.features, EMTR_FEATURES_PCL);
     emtr::set(settings, "features", static_cast<double>(backend));
-    const emtr::Problem problem(pair.source(), pair.target(), settings, nullptr);
-    const double leaf = problem.downsampled.leaf_dense;
+    const auto problem = emtr_test::problem_of(pair.source(), pair.target(), settings);
+    const double leaf = problem->downsampled.leaf_dense;
     emtr::FeatureDefinition definition;
     definition.normal_radius = 2 * leaf;
     definition.feature_radius = 5 * leaf;
     definition.backend = backend;
     const auto expected =
-        emtr::describe(problem.downsampled.source_dense, definition, problem.kernels, 1);
-    EXPECT_EQ(0, std::memcmp(problem.source_features.descriptors.data(),
+        emtr::describe(problem->downsampled.source_dense, definition, problem->kernels, 1);
+    EXPECT_EQ(0, std::memcmp(problem->source_features.descriptors.data(),
                              expected.descriptors.data(), 4 * expected.descriptors.size()));
-    EXPECT_TRUE(problem.solve(nullptr)->registered);
+    EXPECT_TRUE(emtr_test::solve(*problem)->registered);
   }
 }
 
 TEST(Problem, NormalsTurnToTheSensorsWhereBothAreGiven) {
   const emtr_test::Pair pair(6, 5000);
   emtr::Settings settings = emtr::preset("default");
-  const auto made = [&] {
-    return std::make_unique<emtr::Problem>(pair.source(), pair.target(), settings, nullptr);
-  };
+  const auto made = [&] { return emtr_test::problem_of(pair.source(), pair.target(), settings); };
   const auto shares = [](const emtr::Problem& problem) {  // of normals that look along +z
     std::size_t up = 0, all = 0;
     for (std::size_t i = 2; i < problem.target_features.normals.size(); i += 3) {
@@ -122,43 +122,43 @@ TEST(Problem, NormalsTurnToTheSensorsWhereBothAreGiven) {
 TEST(Problem, KeepsWhatEveryStageMade) {
   const emtr_test::Pair pair(11, 3000);
   const emtr::Settings settings = emtr::preset("default");
-  const emtr::Problem p(pair.source(), pair.target(), settings, nullptr);
-  EXPECT_EQ(&p.kernels, &emtr::select_kernels());
-  EXPECT_EQ(p.points_source, 3000u);
-  EXPECT_EQ(p.source_features.normals.size(), 3 * p.downsampled.source_dense.size());
-  EXPECT_EQ(p.target_features.descriptors.size(),
-            emtr::kFeatureSize * p.downsampled.target_dense.size());
-  ASSERT_GT(p.correspondences.size(), 10u);
-  for (const emtr::Correspondence& c : p.correspondences) {
-    EXPECT_LT(static_cast<std::size_t>(c.source), p.downsampled.source_dense.size());
-    EXPECT_LT(static_cast<std::size_t>(c.target), p.downsampled.target_dense.size());
+  const auto p = emtr_test::problem_of(pair.source(), pair.target(), settings);
+  EXPECT_EQ(&p->kernels, &emtr::select_kernels());
+  EXPECT_EQ(p->pair.preprocessed_source->count, 3000u);
+  EXPECT_EQ(p->source_features.normals.size(), 3 * p->downsampled.source_dense.size());
+  EXPECT_EQ(p->target_features.descriptors.size(),
+            emtr::kFeatureSize * p->downsampled.target_dense.size());
+  ASSERT_GT(p->correspondences.size(), 10u);
+  for (const emtr::Correspondence& c : p->correspondences) {
+    EXPECT_LT(static_cast<std::size_t>(c.source), p->downsampled.source_dense.size());
+    EXPECT_LT(static_cast<std::size_t>(c.target), p->downsampled.target_dense.size());
   }
-  ASSERT_FALSE(p.seeds.empty());
-  const emtr::Rigid truth = p.normalization.to_normalized(emtr::from_matrix(pair.pose()));
-  EXPECT_LT(emtr::rotation_distance(p.seeds.front().pose.R, truth.R), 0.1);
-  EXPECT_GT(p.tau, 0);
-  ASSERT_TRUE(p.surfaces);
-  EXPECT_EQ(p.surfaces->source().points.x, p.downsampled.source_dense.x);
-  EXPECT_EQ(p.surfaces->target().leaf, p.downsampled.leaf_dense);
+  ASSERT_FALSE(p->seeds.empty());
+  const emtr::Rigid truth = p->pair.normalization.to_normalized(emtr::from_matrix(pair.pose()));
+  EXPECT_LT(emtr::rotation_distance(p->seeds.front().pose.R, truth.R), 0.1);
+  EXPECT_GT(p->tau, 0);
+  ASSERT_TRUE(p->surfaces);
+  EXPECT_EQ(p->surfaces->source().points.x, p->downsampled.source_dense.x);
+  EXPECT_EQ(p->surfaces->target().leaf, p->downsampled.leaf_dense);
 }
 
 TEST(Problem, MakesOnlyWhatTheSettingsAskFor) {
   const emtr_test::Pair pair(11, 2000);
   emtr::Settings settings = emtr::preset("paper");
-  const emtr::Problem neither(pair.source(), pair.target(), settings, nullptr);
-  EXPECT_TRUE(neither.seeds.empty());
-  EXPECT_FALSE(neither.surfaces);
+  const auto neither = emtr_test::problem_of(pair.source(), pair.target(), settings);
+  EXPECT_TRUE(neither->seeds.empty());
+  EXPECT_FALSE(neither->surfaces);
   settings.seeds = 20;  // for the swarm alone
-  const emtr::Problem seeds(pair.source(), pair.target(), settings, nullptr);
-  EXPECT_FALSE(seeds.seeds.empty());
-  EXPECT_LE(seeds.seeds.size(), 20u);
-  EXPECT_FALSE(seeds.surfaces);
+  const auto seeds = emtr_test::problem_of(pair.source(), pair.target(), settings);
+  EXPECT_FALSE(seeds->seeds.empty());
+  EXPECT_LE(seeds->seeds.size(), 20u);
+  EXPECT_FALSE(seeds->surfaces);
   settings.seeds = 0;
   settings.candidates = 5;  // of the swarm alone
-  const emtr::Problem candidates(pair.source(), pair.target(), settings, nullptr);
-  EXPECT_TRUE(candidates.seeds.empty());
-  EXPECT_TRUE(candidates.surfaces);
-  const auto result = candidates.solve(nullptr);
+  const auto candidates = emtr_test::problem_of(pair.source(), pair.target(), settings);
+  EXPECT_TRUE(candidates->seeds.empty());
+  EXPECT_TRUE(candidates->surfaces);
+  const auto result = emtr_test::solve(*candidates);
   EXPECT_GT(result->candidates, 0u);
   EXPECT_LT(pair.error(result->transformation), 0.05);
 }
@@ -169,10 +169,10 @@ TEST(Problem, OfPreparedCloudsGivesTheSameBits) {
   const auto preprocessed = [](const emtr_cloud& cloud, const char* name) {
     return std::make_shared<const emtr::PreprocessedCloud>(cloud, name, 1);
   };
-  const emtr::Problem once(pair.source(), pair.target(), settings, nullptr);
-  const emtr::Problem again(preprocessed(pair.source(), "a"), preprocessed(pair.target(), "b"), settings,
-                            nullptr);
-  const auto a = once.solve(nullptr), b = again.solve(nullptr);
+  const auto once = emtr_test::problem_of(pair.source(), pair.target(), settings);
+  const auto again = emtr_test::problem_of(preprocessed(pair.source(), "a"),
+                                           preprocessed(pair.target(), "b"), settings, nullptr);
+  const auto a = emtr_test::solve(*once), b = emtr_test::solve(*again);
   EXPECT_TRUE(std::equal(a->transformation, a->transformation + 16, b->transformation));
   EXPECT_EQ(a->beta, b->beta);
   EXPECT_EQ(a->confidence, b->confidence);
@@ -182,7 +182,7 @@ TEST(Problem, RefusesBadSettings) {
   const emtr_test::Pair pair(9, 1000);
   emtr::Settings settings = emtr::preset("paper");
   settings.population = 1;
-  EXPECT_THROW(emtr::Problem(pair.source(), pair.target(), settings, nullptr), emtr::Error);
+  EXPECT_THROW(emtr_test::problem_of(pair.source(), pair.target(), settings), emtr::Error);
 }
 
 }  // namespace

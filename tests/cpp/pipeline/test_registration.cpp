@@ -7,15 +7,14 @@
 #include <string>
 
 #include "refinement/shapes.h"
-#include "pipeline/registration.h"
 #include "support/clouds.h"
+#include "support/problems.h"
 
 namespace {
 
-using emtr::Problem;
 using emtr::Settings;
 using emtr_test::Pair;
-using ResultPtr = std::unique_ptr<emtr::Result>;
+using emtr_test::ResultPtr;
 
 Settings preset(const char* name, int threads = 1) {
   Settings settings = emtr::preset(name);
@@ -24,7 +23,7 @@ Settings preset(const char* name, int threads = 1) {
 }
 
 ResultPtr solve(const emtr_cloud& source, const emtr_cloud& target, const Settings& settings) {
-  return Problem(source, target, settings, nullptr).solve(nullptr);
+  return emtr_test::solve(*emtr_test::problem_of(source, target, settings));
 }
 
 ResultPtr solve(const Pair& pair, const Settings& settings) {
@@ -113,7 +112,8 @@ TEST_P(OfPreset, FillsWhatItsStagesMake) {
     EXPECT_LE(r->alternatives[i].score, i ? r->alternatives[i - 1].score : r->score);
     EXPECT_GT(pair.error(r->alternatives[i].transformation), 0.05);
   }
-  EXPECT_EQ(r->used_fallback_search, settings.fallback_search == 2);  // the pair is an easy one
+  EXPECT_EQ(r->used_fallback_search,
+            settings.fallback_search == EMTR_ALWAYS);  // the pair is an easy one
   EXPECT_EQ(r->refined, settings.refine);
   for (int i = 0; i < 6; ++i) {
     EXPECT_EQ(std::isfinite(r->hessian_eigenvalues[i]), settings.refine != 0);
@@ -147,8 +147,8 @@ void expect_same(const emtr::Result& a, const emtr::Result& b, const std::string
   SCOPED_TRACE(what);
   const auto same = [](const auto& x, const auto& y) { return !std::memcmp(&x, &y, sizeof x); };
   // In the order of the stages: the first that fails says where it begins.
-  EXPECT_TRUE(same(a.scale, b.scale) && same(a.center_source, b.center_source) &&
-              same(a.center_target, b.center_target))
+  EXPECT_TRUE(same(a.normalization_scale, b.normalization_scale) &&
+              same(a.center_source, b.center_source) && same(a.center_target, b.center_target))
       << "normalization";
   EXPECT_TRUE(same(a.leaf_sparse, b.leaf_sparse) && same(a.leaf_dense, b.leaf_dense) &&
               a.sparse_source == b.sparse_source && a.sparse_target == b.sparse_target &&
@@ -162,24 +162,26 @@ void expect_same(const emtr::Result& a, const emtr::Result& b, const std::string
               a.queries_evaluation == b.queries_evaluation &&
               a.queries_switch == b.queries_switch && a.queries_complement == b.queries_complement)
       << "evolution";
-  EXPECT_TRUE(a.candidates == b.candidates && same(a.score, b.score) && same(a.fit, b.fit) &&
-              same(a.violation, b.violation) && same(a.score_gap, b.score_gap) &&
-              same(a.confidence, b.confidence) && a.used_fallback_search == b.used_fallback_search)
+  EXPECT_TRUE(a.candidates == b.candidates && same(a.score, b.score) &&
+              same(a.surface_fit, b.surface_fit) && same(a.violation, b.violation) &&
+              same(a.score_gap, b.score_gap) && same(a.confidence, b.confidence) &&
+              a.used_fallback_search == b.used_fallback_search)
       << "candidates";
   ASSERT_EQ(a.others.size(), b.others.size());
   for (std::size_t i = 0; i < a.others.size(); ++i)
     EXPECT_TRUE(same(a.others[i], b.others[i])) << "alternative " << i;
   EXPECT_TRUE(a.refined == b.refined && same(a.information, b.information) &&
-              same(a.hessian_eigenvalues, b.hessian_eigenvalues) && same(a.hessian_eigenvectors, b.hessian_eigenvectors) &&
+              same(a.hessian_eigenvalues, b.hessian_eigenvalues) &&
+              same(a.hessian_eigenvectors, b.hessian_eigenvectors) &&
               a.unconstrained_directions == b.unconstrained_directions)
       << "refinement";
   EXPECT_TRUE(same(a.transformation, b.transformation)) << "answer";
-  EXPECT_TRUE(same(a.fitness, b.fitness) && same(a.inlier_ratio_source, b.inlier_ratio_source) &&
-              same(a.inlier_ratio_target, b.inlier_ratio_target) &&
-              same(a.inlier_rmse, b.inlier_rmse) && same(a.overlap_source, b.overlap_source) &&
-              same(a.overlap_target, b.overlap_target) && same(a.leaf_fine, b.leaf_fine) &&
-              same(a.inlier_rmse_plane, b.inlier_rmse_plane) && same(a.fitness_gap, b.fitness_gap) &&
-              a.registered == b.registered && a.reason == b.reason)
+  EXPECT_TRUE(
+      same(a.fitness, b.fitness) && same(a.inlier_ratio_source, b.inlier_ratio_source) &&
+      same(a.inlier_ratio_target, b.inlier_ratio_target) && same(a.inlier_rmse, b.inlier_rmse) &&
+      same(a.overlap_source, b.overlap_source) && same(a.overlap_target, b.overlap_target) &&
+      same(a.leaf_fine, b.leaf_fine) && same(a.inlier_rmse_plane, b.inlier_rmse_plane) &&
+      same(a.fitness_gap, b.fitness_gap) && a.registered == b.registered && a.reason == b.reason)
       << "verdict";
 }
 
@@ -217,9 +219,9 @@ TEST(Registration, FastIsTheSameBitsForAnyThreads) {
 
 TEST(Registration, SolvingAgainGivesTheSameBits) {
   const Pair pair(66, 4000);
-  const Problem problem(pair.source(), pair.target(), preset("default", 2), nullptr);
-  const ResultPtr first = problem.solve(nullptr);
-  expect_same(*first, *problem.solve(nullptr), "again");
+  const auto problem = emtr_test::problem_of(pair.source(), pair.target(), preset("default", 2));
+  const ResultPtr first = emtr_test::solve(*problem);
+  expect_same(*first, *emtr_test::solve(*problem), "again");
   expect_same(*first, *solve(pair, preset("default", 2)), "anew");
 }
 
@@ -242,7 +244,7 @@ TEST(Registration, TheUnitScalesTheResultAndNothingElse) {
   constexpr double unit = 64;  // a power of two, so that no digit changes
   const Pair one(66, 3000), large(66, 3000, unit);
   const ResultPtr a = solve(one, preset("default")), b = solve(large, preset("default"));
-  EXPECT_EQ(b->scale, unit * a->scale);
+  EXPECT_EQ(b->normalization_scale, unit * a->normalization_scale);
   EXPECT_EQ(b->inlier_rmse, unit * a->inlier_rmse);
   EXPECT_EQ(b->inlier_rmse_plane, unit * a->inlier_rmse_plane);
   EXPECT_EQ(b->overlap_source, a->overlap_source);
@@ -293,9 +295,9 @@ struct Symmetric {
       source.insert(source.end(), {a.x[i], a.y[i], a.z[i]});
     for (std::size_t i = 0; i < b.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k)
-        target.push_back(static_cast<float>(pose.R[3 * k] * double{b.x[i]} +
-                                            pose.R[3 * k + 1] * double{b.y[i]} +
-                                            pose.R[3 * k + 2] * double{b.z[i]} + pose.t[k]));
+        target.push_back(static_cast<float>(pose.R(k, 0) * double{b.x[i]} +
+                                            pose.R(k, 1) * double{b.y[i]} +
+                                            pose.R(k, 2) * double{b.z[i]} + pose.t[k]));
   }
   ResultPtr solve(const Settings& settings) const {
     return ::solve({source.data(), source.size() / 3, 0, EMTR_FLOAT32},
@@ -353,9 +355,10 @@ TEST(Registration, StoppedWhileTheProblemIsMadeThereIsNoPose) {
   for (const char* stage : {"normalization", "downsampling", "features", "matching", "seeds"}) {
     SCOPED_TRACE(stage);
     const emtr::OnProgress progress = stop_at(stage);
-    const Problem problem(pair.source(), pair.target(), preset("default"), progress);
-    EXPECT_TRUE(problem.stopped());
-    const ResultPtr r = problem.solve(progress);
+    const auto problem =
+        emtr_test::problem_of(pair.source(), pair.target(), preset("default"), progress);
+    EXPECT_TRUE(problem->stopped);
+    const ResultPtr r = emtr_test::solve(*problem, progress);
     expect_interrupted(*r);
     for (const double v : r->transformation) EXPECT_TRUE(std::isnan(v));
     EXPECT_TRUE(std::isnan(r->confidence));
@@ -367,10 +370,10 @@ TEST(Registration, StoppedLaterTheBestPoseSoFarIsGiven) {
   const Pair pair(68, 3000);
   Settings settings = preset("thorough");
   settings.fallback_points = 4000;
-  const Problem problem(pair.source(), pair.target(), settings, nullptr);
+  const auto problem = emtr_test::problem_of(pair.source(), pair.target(), settings);
   const auto stopped = [&](const char* stage, int iteration = 0) {
     SCOPED_TRACE(stage);
-    ResultPtr r = problem.solve(stop_at(stage, iteration));
+    ResultPtr r = emtr_test::solve(*problem, stop_at(stage, iteration));
     expect_interrupted(*r);
     return r;
   };
@@ -416,11 +419,12 @@ TEST(Registration, TellsEveryStageInItsOrder) {
     }
     return false;
   };
-  const Problem problem(pair.source(), pair.target(), settings, progress);
-  EXPECT_FALSE(problem.stopped());
-  problem.solve(progress);
+  const auto problem = emtr_test::problem_of(pair.source(), pair.target(), settings, progress);
+  EXPECT_FALSE(problem->stopped);
+  emtr_test::solve(*problem, progress);
   EXPECT_EQ(stages,
-            "frame densities features matching seeds evolution candidates fallback_search refinement "
+            "normalization downsampling features matching seeds evolution candidates "
+            "fallback_search refinement "
             "verdict ");
   EXPECT_EQ(iterations, settings.iterations);
 }

@@ -7,9 +7,9 @@
 #include <random>
 #include <string>
 
-#include "util/error.h"
-#include "pipeline/problem.h"
 #include "support/known_pair.h"
+#include "support/problems.h"
+#include "util/error.h"
 
 namespace {
 
@@ -38,7 +38,7 @@ emtr_cloud view(const std::vector<float>& points, const std::vector<float>* feat
 
 std::unique_ptr<emtr::Result> solve(const emtr_cloud& source, const emtr_cloud& target,
                                     const emtr::Settings& settings) {
-  return emtr::Problem(source, target, settings, nullptr).solve(nullptr);
+  return emtr_test::solve(*emtr_test::problem_of(source, target, settings));
 }
 
 /// Descriptors that tell where on the relief a point is, the same from both sides, with some noise.
@@ -60,21 +60,21 @@ std::vector<float> codes(const std::vector<float>& points, bool source, std::siz
 TEST(Handed, OwnFeaturesHandedInGiveTheOwnMatches) {
   const KnownPair pair(8000);
   const emtr::Settings settings = emtr::preset("default");
-  const emtr::Problem own(pair.source_cloud(), pair.target_cloud(), settings, nullptr);
-  ASSERT_GT(own.correspondences.size(), 100u);
-  const auto source = packed(own.downsampled.source_dense),
-             target = packed(own.downsampled.target_dense);
-  const emtr::Problem handed(view(source, &own.source_features.descriptors, emtr::kFeatureSize),
-                             view(target, &own.target_features.descriptors, emtr::kFeatureSize),
-                             settings, nullptr);
-  ASSERT_TRUE(handed.handed);
-  EXPECT_TRUE(handed.source_features.descriptors.empty());
-  auto found = rows_of(handed);
+  const auto own = emtr_test::problem_of(pair.source_cloud(), pair.target_cloud(), settings);
+  ASSERT_GT(own->correspondences.size(), 100u);
+  const auto source = packed(own->downsampled.source_dense),
+             target = packed(own->downsampled.target_dense);
+  const auto handed = emtr_test::problem_of(
+      view(source, &own->source_features.descriptors, emtr::kFeatureSize),
+      view(target, &own->target_features.descriptors, emtr::kFeatureSize), settings);
+  ASSERT_TRUE(handed->user_keypoints);
+  EXPECT_TRUE(handed->source_features.descriptors.empty());
+  auto found = rows_of(*handed);
   for (auto& [s, t] : found) {
-    s = handed.handed->source.rows[static_cast<std::size_t>(s)];
-    t = handed.handed->target.rows[static_cast<std::size_t>(t)];
+    s = handed->user_keypoints->source.rows[static_cast<std::size_t>(s)];
+    t = handed->user_keypoints->target.rows[static_cast<std::size_t>(t)];
   }
-  EXPECT_EQ(found, rows_of(own));
+  EXPECT_EQ(found, rows_of(*own));
 }
 
 TEST(Handed, FeaturesOfAnyDimensionRegister) {
@@ -98,11 +98,11 @@ TEST(Handed, AFewKeypointsAreEnough) {
     if (i / 8 % 10) source[i + 3] = none;
   for (std::size_t i = 0; i < target.size(); i += 8)
     if (i / 8 % 7) target[i] = none;
-  const emtr::Problem problem(view(pair.source, &source, 8), view(pair.target, &target, 8),
-                              emtr::preset("default"), nullptr);
-  EXPECT_EQ(problem.matched_source().size(), (source.size() / 8 + 9) / 10);
-  EXPECT_EQ(problem.matched_target().size(), (target.size() / 8 + 6) / 7);
-  const auto result = problem.solve(nullptr);
+  const auto problem = emtr_test::problem_of(
+      view(pair.source, &source, 8), view(pair.target, &target, 8), emtr::preset("default"));
+  EXPECT_EQ(problem->matched_source().size(), (source.size() / 8 + 9) / 10);
+  EXPECT_EQ(problem->matched_target().size(), (target.size() / 8 + 6) / 7);
+  const auto result = emtr_test::solve(*problem);
   EXPECT_TRUE(result->registered);
   EXPECT_LT(KnownPair::error(result->transformation), 0.05);
 }
@@ -111,10 +111,10 @@ TEST(Handed, VeryManyFeaturesAreThinnedToOneADenseLeaf) {
   const KnownPair pair(40000);
   const auto source = codes(pair.source, true, 4), target = codes(pair.target, false, 4);
   ASSERT_GT(pair.source.size() / 3, emtr::kMostFeatures);
-  const emtr::Problem problem(view(pair.source, &source, 4), view(pair.target, &target, 4),
-                              emtr::preset("default"), nullptr);
-  EXPECT_EQ(problem.matched_source().size(), problem.downsampled.source_dense.size());
-  EXPECT_EQ(problem.matched_target().size(), problem.downsampled.target_dense.size());
+  const auto problem = emtr_test::problem_of(
+      view(pair.source, &source, 4), view(pair.target, &target, 4), emtr::preset("default"));
+  EXPECT_EQ(problem->matched_source().size(), problem->downsampled.source_dense.size());
+  EXPECT_EQ(problem->matched_target().size(), problem->downsampled.target_dense.size());
 }
 
 TEST(Handed, TrueMatchesAmongFourTimesAsManyWrongOnesRegister) {
@@ -124,11 +124,11 @@ TEST(Handed, TrueMatchesAmongFourTimesAsManyWrongOnesRegister) {
     emtr::Settings settings = emtr::preset(preset);
     settings.correspondences = rows.data();
     settings.correspondence_count = rows.size() / 2;
-    const emtr::Problem problem(pair.source_cloud(), pair.target_cloud(), settings, nullptr);
-    EXPECT_EQ(problem.correspondences.size(), 500u);
-    EXPECT_TRUE(problem.source_features.descriptors.empty());
-    EXPECT_EQ(problem.settings.correspondences, nullptr);  // nothing of the caller's is kept
-    const auto result = problem.solve(nullptr);
+    const auto problem = emtr_test::problem_of(pair.source_cloud(), pair.target_cloud(), settings);
+    EXPECT_EQ(problem->correspondences.size(), 500u);
+    EXPECT_TRUE(problem->source_features.descriptors.empty());
+    EXPECT_EQ(problem->settings.correspondences, nullptr);  // nothing of the caller's is kept
+    const auto result = emtr_test::solve(*problem);
     EXPECT_TRUE(result->registered) << preset;
     EXPECT_LT(KnownPair::error(result->transformation), 0.02) << preset;
     EXPECT_EQ(result->correspondences, 500u);
@@ -186,26 +186,27 @@ TEST(Handed, NormalsReplaceTheEstimatedOnes) {
   emtr_cloud source = pair.source_cloud(), target = pair.target_cloud();
   source.normals = pair.source_normals.data();
   target.normals = pair.target_normals.data();
-  for (const int features : {0, 1}) {
+  for (const emtr_features features : {EMTR_FEATURES_PCL, EMTR_FEATURES_SIMD}) {
     emtr::Settings settings = emtr::preset("default");
     settings.features = features;
-    const emtr::Problem problem(source, target, settings, nullptr);
-    const emtr::Problem estimated(pair.source_cloud(), pair.target_cloud(), settings, nullptr);
+    const auto problem = emtr_test::problem_of(source, target, settings);
+    const auto estimated =
+        emtr_test::problem_of(pair.source_cloud(), pair.target_cloud(), settings);
     // Those of the relief all look up, which is the source's y; estimated ones to the centroid.
     std::size_t up = 0, estimated_up = 0;
-    const auto& normals = problem.source_features.normals;
+    const auto& normals = problem->source_features.normals;
     for (std::size_t i = 0; i < normals.size(); i += 3) {
       up += normals[i + 1] > 0;
-      estimated_up += estimated.source_features.normals[i + 1] > 0;
+      estimated_up += estimated->source_features.normals[i + 1] > 0;
       const double length = std::hypot(normals[i], normals[i + 1], normals[i + 2]);
       ASSERT_NEAR(length, 1, 1e-5);
     }
     EXPECT_EQ(up, normals.size() / 3);
     EXPECT_LT(estimated_up, normals.size() / 3);
-    ASSERT_EQ(problem.source_features.descriptors.size(),
-              emtr::kFeatureSize * problem.downsampled.source_dense.size());
-    EXPECT_EQ(problem.surfaces->source().normals.x, problem.downsampled.source_normals.x);
-    const auto result = problem.solve(nullptr);
+    ASSERT_EQ(problem->source_features.descriptors.size(),
+              emtr::kFeatureSize * problem->downsampled.source_dense.size());
+    EXPECT_EQ(problem->surfaces->source().normals.x, problem->downsampled.source_normals.x);
+    const auto result = emtr_test::solve(*problem);
     EXPECT_TRUE(result->registered) << features;
     EXPECT_LT(KnownPair::error(result->transformation), 0.02) << features;
   }
@@ -216,14 +217,14 @@ TEST(Handed, NormalsOfOneCloudAloneAreTurnedAsTheEstimatedOnes) {
   emtr_cloud source = pair.source_cloud();
   source.normals = pair.source_normals.data();
   const emtr::Settings settings = emtr::preset("default");
-  const emtr::Problem problem(source, pair.target_cloud(), settings, nullptr);
-  const emtr::Cloud& p = problem.downsampled.source_dense;
-  const auto& n = problem.source_features.normals;
+  const auto problem = emtr_test::problem_of(source, pair.target_cloud(), settings);
+  const emtr::Cloud& p = problem->downsampled.source_dense;
+  const auto& n = problem->source_features.normals;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (n[3 * i] == n[3 * i]) {
       ASSERT_LE(p.x[i] * n[3 * i] + p.y[i] * n[3 * i + 1] + p.z[i] * n[3 * i + 2], 1e-6);
     }
-  const auto result = problem.solve(nullptr);
+  const auto result = emtr_test::solve(*problem);
   EXPECT_TRUE(result->registered);
   EXPECT_LT(KnownPair::error(result->transformation), 0.02);
 }
@@ -235,20 +236,21 @@ TEST(Handed, PointsWithoutANormalStayWithout) {
   emtr_cloud source = pair.source_cloud(), target = pair.target_cloud();
   source.normals = pair.source_normals.data();
   target.normals = pair.target_normals.data();
-  const emtr::Problem problem(source, target, emtr::preset("default"), nullptr);
-  const double scale = problem.normalization.scale, center = problem.normalization.center_target[0];
+  const auto problem = emtr_test::problem_of(source, target, emtr::preset("default"));
+  const double scale = problem->pair.normalization.scale,
+               center = problem->pair.normalization.center_target[0];
   std::size_t without = 0;
-  for (std::size_t i = 0; i < problem.downsampled.target_dense.size(); ++i) {
-    const double x = problem.downsampled.target_dense.x[i] * scale + center;
-    const bool none = std::isnan(problem.target_features.normals[3 * i]);
+  for (std::size_t i = 0; i < problem->downsampled.target_dense.size(); ++i) {
+    const double x = problem->downsampled.target_dense.x[i] * scale + center;
+    const bool none = std::isnan(problem->target_features.normals[3 * i]);
     if (std::abs(x + 0.5) > 0.05) {
       EXPECT_EQ(none, x < -0.5) << x;
     }
-    EXPECT_EQ(none, std::isnan(problem.target_features.descriptors[emtr::kFeatureSize * i]));
+    EXPECT_EQ(none, std::isnan(problem->target_features.descriptors[emtr::kFeatureSize * i]));
     without += none;
   }
   EXPECT_GT(without, 100u);
-  EXPECT_LT(KnownPair::error(problem.solve(nullptr)->transformation), 0.02);
+  EXPECT_LT(KnownPair::error(emtr_test::solve(*problem)->transformation), 0.02);
 }
 
 TEST(Handed, PreparedCloudsGiveTheSameBits) {
@@ -269,7 +271,7 @@ TEST(Handed, PreparedCloudsGiveTheSameBits) {
                t = std::make_shared<const emtr::PreprocessedCloud>(target, "", 1);
     for (const int threads : {1, 3}) {
       settings.threads = threads;
-      const auto preprocessed = emtr::Problem(s, t, settings, nullptr).solve(nullptr);
+      const auto preprocessed = emtr_test::solve(*emtr_test::problem_of(s, t, settings));
       EXPECT_EQ(0, std::memcmp(plain->transformation, preprocessed->transformation,
                                sizeof plain->transformation));
     }

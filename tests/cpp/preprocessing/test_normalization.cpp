@@ -68,9 +68,9 @@ TEST(Normalization, ConvertsPosesThereAndBack) {
   normalization.center_source[0] = 100;
   normalization.center_target[2] = -30;
   emtr::Rigid pose;
-  pose.R[0] = pose.R[4] = 0;
-  pose.R[1] = -1;
-  pose.R[3] = 1;
+  pose.R(0, 0) = pose.R(1, 1) = 0;
+  pose.R(0, 1) = -1;
+  pose.R(1, 0) = 1;
   pose.t[1] = 0.25;
   const emtr::Rigid user = normalization.to_user(pose);
   // A quarter turn takes the source's centroid (100, 0, 0) to (0, 100, 0).

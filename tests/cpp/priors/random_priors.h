@@ -11,9 +11,8 @@ namespace emtr_test {
 inline emtr::Rigid any_pose(Draw& d, double reach = 1) {
   const Eigen::Vector4d q(d.gaussian(), d.gaussian(), d.gaussian(), d.gaussian());
   emtr::Rigid out;
-  Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out.R) =
-      Eigen::Quaterniond(q.normalized()).toRotationMatrix();
-  for (double& v : out.t) v = d.uniform(-reach, reach);
+  out.R = Eigen::Quaterniond(q.normalized()).toRotationMatrix();
+  for (int k = 0; k < 3; ++k) out.t[k] = d.uniform(-reach, reach);
   return out;
 }
 
@@ -35,14 +34,13 @@ inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Norma
                                     Draw& d) {
   constexpr double degree = M_PI / 180;
   emtr::Settings s = emtr::preset("default");
-  using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const Eigen::Quaterniond q(Eigen::Matrix3d(Eigen::Map<const Rotation>(inside.R)));
+  const Eigen::Quaterniond q(inside.R);
   if (which & (kGuessRotation | kGuessTranslation)) {
     const double degrees = d.uniform(0, 40), away = d.uniform(0, 0.5);
     emtr::Rigid guess;
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(degrees * degree, d.direction()));
-    Eigen::Map<Rotation>(guess.R) = (turn * q).toRotationMatrix();
-    Eigen::Vector3d::Map(guess.t) = Eigen::Vector3d::Map(inside.t) + away * d.direction();
+    guess.R = (turn * q).toRotationMatrix();
+    guess.t = inside.t + away * d.direction();
     s.has_guess = 1;
     emtr::to_matrix(normalization.to_user(guess), s.guess);
     if (which & kGuessRotation) s.guess_rotation = degrees + d.uniform(0, 30);

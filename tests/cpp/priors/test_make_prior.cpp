@@ -3,9 +3,10 @@
 #include <functional>
 #include <limits>
 
-#include "util/error.h"
 #include "priors/make_prior.h"
 #include "priors/random_priors.h"
+#include "settings/validation.h"
+#include "util/error.h"
 
 namespace {
 
@@ -150,7 +151,7 @@ TEST(MakePrior, AGuessOfFewDigitsIsARotationToAllOfThem) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       double dot = 0;
-      for (int k = 0; k < 3; ++k) dot += pose.R[3 * i + k] * pose.R[3 * j + k];
+      for (int k = 0; k < 3; ++k) dot += pose.R(i, k) * pose.R(j, k);
       EXPECT_NEAR(dot, i == j, 1e-14);
     }
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(pose.R[i], s.guess[i / 3 * 4 + i % 3], 2e-4);

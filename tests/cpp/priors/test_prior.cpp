@@ -34,14 +34,14 @@ void expect_satisfied(const emtr::Settings& s, const emtr::Normalization& normal
   constexpr double degree = M_PI / 180, tiny = 1e-8;
   using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   const Rigid user = normalization.to_user(pose);
-  const Eigen::Matrix3d R = Eigen::Map<const Rotation>(user.R);
+  const Eigen::Matrix3d R = user.R;
   EXPECT_NEAR((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 0, 1e-12);
   if (s.has_guess) {
     const Rigid guess = emtr::from_matrix(s.guess);
     EXPECT_LE(angle_between(user, guess), s.guess_rotation * degree + tiny);
     const Vector3d c = Vector3d::Map(normalization.center_source);
-    const Vector3d at = R * c + Vector3d::Map(user.t);
-    const Vector3d wanted = Eigen::Map<const Rotation>(guess.R) * c + Vector3d::Map(guess.t);
+    const Vector3d at = R * c + user.t;
+    const Vector3d wanted = guess.R * c + guess.t;
     EXPECT_LE((at - wanted).norm(), s.guess_translation + tiny * normalization.scale);
   }
   if (s.has_axis) {
@@ -81,8 +81,8 @@ TEST(Prior, WhatItProjectsIsAdmissibleAndStays) {
                     again = c.prior->project(found);
         EXPECT_TRUE(c.prior->admits(found)) << which;
         expect_satisfied(c.settings, c.normalization, found);
-        EXPECT_TRUE(std::equal(found.R, found.R + 9, again.R) &&
-                    std::equal(found.t, found.t + 3, again.t));
+        EXPECT_TRUE(found.R == again.R &&
+                    found.t == again.t);
       }
       if (HasFailure()) FAIL() << "limits " << which << ", case " << k;
     }
@@ -102,7 +102,7 @@ TEST(Prior, NoAdmissiblePoseIsNearerThanThatOfASingleLimit) {
         double x[6];
         for (double& v : x) v = reach * d.gaussian();
         Rigid other = emtr::moved(found, x);
-        if (which & (kGuessTranslation | kBounds)) std::copy_n(found.R, 9, other.R);
+        if (which & (kGuessTranslation | kBounds)) other.R = found.R;
         other = c.prior->project(other);
         EXPECT_GE(angle_between(other, pose), angle_between(found, pose) - 1e-9) << which;
         if (which & (kGuessTranslation | kBounds)) {
@@ -122,7 +122,7 @@ TEST(Prior, ATurnAboutAnUprightAxisNearAGuessIsTheNearestThereIs) {
     double nearest = HUGE_VAL;
     for (int degree = 0; degree < 3600; ++degree) {
       Rigid turned;
-      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(turned.R) =
+      turned.R =
           Eigen::AngleAxisd(degree * M_PI / 1800, axis).toRotationMatrix();
       if (c.prior->admits(turned)) nearest = std::min(nearest, angle_between(turned, pose));
     }

@@ -26,13 +26,10 @@ inline Vector point(const emtr::Cloud& cloud, std::size_t i) {
   return {double{cloud.x[i]}, double{cloud.y[i]}, double{cloud.z[i]}};
 }
 
-/// R v + t; a direction when `turn`.
-inline Vector carry(const emtr::Rigid& T, const Vector& v, bool turn = false) {
-  Vector out;
-  for (std::size_t a = 0; a < 3; ++a)
-    out[a] =
-        T.R[3 * a] * v[0] + T.R[3 * a + 1] * v[1] + T.R[3 * a + 2] * v[2] + (turn ? 0 : T.t[a]);
-  return out;
+/// Returns R v + t; R v when `direction`.
+inline Vector carry(const emtr::Rigid& T, const Vector& v, bool direction = false) {
+  const Eigen::Vector3d p(v[0], v[1], v[2]), q = direction ? T.rotate(p) : T * p;
+  return {q[0], q[1], q[2]};
 }
 
 inline emtr::Surface moved(const emtr::Surface& surface, const emtr::Rigid& T) {
@@ -43,18 +40,8 @@ inline emtr::Surface moved(const emtr::Surface& surface, const emtr::Rigid& T) {
   return out;
 }
 
-/// a after b.
-inline emtr::Rigid compose(const emtr::Rigid& a, const emtr::Rigid& b) {
-  emtr::Rigid out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j)
-      out.R[3 * i + j] =
-          a.R[3 * i] * b.R[j] + a.R[3 * i + 1] * b.R[3 + j] + a.R[3 * i + 2] * b.R[6 + j];
-  }
-  const Vector t = carry(a, {b.t[0], b.t[1], b.t[2]});
-  for (std::size_t i = 0; i < 3; ++i) out.t[i] = t[i];
-  return out;
-}
+/// Returns the motion that applies b and then a.
+inline emtr::Rigid compose(const emtr::Rigid& a, const emtr::Rigid& b) { return a * b; }
 
 /// A lumpy ball about the origin, radius 0.5 to 0.9, as a function of the direction: smooth, and
 /// without symmetry.

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "geometry/euler.h"
 #include "ranking/ranking.h"
 #include "ranking/surfaces.h"
-#include "geometry/euler.h"
 
 namespace {
 
@@ -61,7 +61,7 @@ TEST(Ranking, LeavesOutViolationsOfPosesThatCannotMatter) {
 
 TEST(Ranking, TheQuickScoreIsTheScoreOfAPart) {
   Ranking ranking(corner(0), corner(0.3), kAt, kAt, kernels());
-  ranking.fit().prepare(8);
+  ranking.fit().add_subset(8);
   Ranking::Scratch scratch;
   const double particle[6] = {0, 0, 1.5707963267948966, 0, 0.4, 0};
   for (const Rigid& T : {Rigid{}, emtr::decode(particle)}) {
@@ -97,6 +97,16 @@ TEST(Ranking, WithoutViewpointsTheFitAlone) {
   const Ranking::Value value = ranking.evaluate(emtr::decode(particle), scratch);
   EXPECT_EQ(value.violation, 0);
   EXPECT_EQ(value.score, value.fit.score);
+}
+
+TEST(Ranking, CopiesASurfaceOnlyToTurnItsNormals) {
+  const emtr::SharedSurface source = corner(0), target = corner(0.3);
+  const Ranking shared(source, target, kNone, kNone, kernels());
+  EXPECT_EQ(&shared.fit().points(0, 1), &source->points);
+  EXPECT_EQ(&shared.fit().points(1, 1), &target->points);
+  const Ranking turned(source, target, kAt, kNone, kernels());
+  EXPECT_NE(&turned.fit().points(0, 1), &source->points);
+  EXPECT_EQ(&turned.fit().points(1, 1), &target->points);
 }
 
 TEST(Ranking, SameBitsForEveryKernel) {

@@ -3,16 +3,16 @@
 #include <limits>
 #include <thread>
 
+#include "geometry/euler.h"
 #include "ranking/surface_fit.h"
 #include "ranking/surfaces.h"
-#include "geometry/euler.h"
 
 namespace {
 
-using emtr::SurfaceFit;
-using emtr::SurfaceFitValue;
 using emtr::Rigid;
 using emtr::Surface;
+using emtr::SurfaceFit;
+using emtr::SurfaceFitValue;
 using emtr_test::carry;
 using emtr_test::lumpy_ball;
 using emtr_test::point;
@@ -90,7 +90,7 @@ TEST(SurfaceFit, IsTheFormula) {
       target.normals.z[i] = -target.normals.z[i];
     }
     SurfaceFit fit(source, target, kernels());
-    fit.prepare(3);
+    fit.add_subset(3);
     SurfaceFit::Scratch scratch;
     for (const Rigid& T :
          {Rigid{}, pose(0.1, -0.05, 0.2, 0.03, -0.02, 0.05), pose(2, 1, -1, 0.1, 0.2, 0)}) {
@@ -133,7 +133,7 @@ TEST(SurfaceFit, DoesNotDependOnACommonMotion) {
   const Rigid T = pose(0.05, 0.02, -0.04, 0.01, 0.02, 0), M = pose(1, 0.5, -2, 0.2, -0.1, 0.3);
   const SurfaceFitValue here = fit(source, target, T);
   const SurfaceFitValue there = fit(emtr_test::moved(source, M), emtr_test::moved(target, M),
-                             emtr_test::compose(M, emtr_test::compose(T, M.inverse())));
+                                    emtr_test::compose(M, emtr_test::compose(T, M.inverse())));
   ASSERT_GT(here.score, 0.1);
   EXPECT_NEAR(here.score, there.score, 2e-3);  // a gate may go the other way at its border
   EXPECT_NEAR(here.sign, there.sign, 2e-3);
@@ -162,7 +162,7 @@ TEST(SurfaceFit, SameBitsForEveryKernelThreadAndScratch) {
   std::vector<SurfaceFitValue> first;
   for (const emtr::Kernels* k : emtr_test::kernels_here()) {
     SurfaceFit fit(source, target, *k);
-    fit.prepare(4);
+    fit.add_subset(4);
     for (std::size_t threads : {1u, 3u}) {
       std::vector<SurfaceFitValue> got(poses.size());
       std::vector<std::thread> team;
@@ -189,8 +189,9 @@ TEST(SurfaceFit, RefusesWhatItCannotUse) {
   EXPECT_THROW(SurfaceFit(good, bad, kernels()), std::invalid_argument);
   EXPECT_THROW(SurfaceFit(Surface{}, Surface{}, kernels()), std::invalid_argument);
   SurfaceFit::Scratch scratch;
-  EXPECT_THROW(SurfaceFit(good, good, kernels()).evaluate(Rigid{}, 5, scratch), std::invalid_argument);
-  EXPECT_THROW(SurfaceFit(good, good, kernels()).prepare(0), std::invalid_argument);
+  EXPECT_THROW(SurfaceFit(good, good, kernels()).evaluate(Rigid{}, 5, scratch),
+               std::invalid_argument);
+  EXPECT_THROW(SurfaceFit(good, good, kernels()).add_subset(0), std::invalid_argument);
 }
 
 }  // namespace

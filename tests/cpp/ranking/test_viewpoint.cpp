@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "ranking/viewpoint.h"
 #include "ranking/surfaces.h"
+#include "ranking/viewpoint.h"
 
 namespace {
 
@@ -65,7 +65,7 @@ TEST(Viewpoint, OfAOneSidedScanIsFound) {
                              Vector{-6, -6, 2}, Vector{0.5, -3, 0}}) {
     const Surface seen = scan(from);
     const Viewpoints found = estimate_viewpoints(seen, kernels());
-    EXPECT_GE(found.visible, emtr::kLeastVisible);
+    EXPECT_GE(found.visible, emtr::kMinimumVisible);
     ASSERT_EQ(found.candidates.size(), 2u);
     const Vector truth = from_centroid(seen.points, from),
                  first = from_centroid(seen.points, place(found.candidates[0])),
@@ -117,10 +117,10 @@ TEST(Viewpoint, OrientsNormalsToItsSide) {
     seen.normals.y[i] = -seen.normals.y[i];
     seen.normals.z[i] = -seen.normals.z[i];
   }
-  emtr::orient(seen, {{1, 3, -1}});
+  emtr::orient_normals(seen.points, {1, 3, -1}, seen.normals);
   EXPECT_EQ(seen.normals.x, truth.normals.x);
   EXPECT_EQ(seen.normals.z, truth.normals.z);
-  emtr::orient(seen, {{-30, -90, 30}});
+  emtr::orient_normals(seen.points, {-30, -90, 30}, seen.normals);
   std::size_t turned = 0;
   for (std::size_t i = 0; i < seen.points.size(); ++i)
     turned += seen.normals.x[i] == -truth.normals.x[i];

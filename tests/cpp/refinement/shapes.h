@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "geometry/cloud.h"
-#include "refinement/downsampled_surface.h"
 #include "geometry/rigid.h"
+#include "refinement/downsampled_surface.h"
 #include "support/bumpy_pair.h"
 #include "support/clouds.h"
 
@@ -66,15 +66,15 @@ inline emtr::Cloud cube(std::uint64_t seed, std::size_t n, double noise) {
   });
 }
 
-/// A small motion by its rotation vector in degrees and its shift.
+/// A small motion by its rotation vector in degrees and its translation.
 inline emtr::Rigid motion(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) {
   emtr::Rigid out;
   const double angle = degrees.norm();
   if (angle > 0) {
     const Eigen::AngleAxisd turn(angle * M_PI / 180, degrees / angle);
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out.R) = turn.toRotationMatrix();
+    out.R = turn.toRotationMatrix();
   }
-  Eigen::Vector3d::Map(out.t) = shift;
+  out.t = shift;
   return out;
 }
 
@@ -83,7 +83,7 @@ inline double degrees_between(const emtr::Rigid& a, const emtr::Rigid& b) {
 }
 
 inline double translation_between(const emtr::Rigid& a, const emtr::Rigid& b) {
-  return (Eigen::Vector3d::Map(a.t) - Eigen::Vector3d::Map(b.t)).norm();
+  return (a.t - b.t).norm();
 }
 
 }  // namespace emtr_test

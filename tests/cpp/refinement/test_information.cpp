@@ -45,10 +45,9 @@ class Ball {
 /// The small motion x with exp(x) pose = identity.
 Vector6 error_of(const emtr::Rigid& pose) {
   const emtr::Rigid back = pose.inverse();
-  using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const Eigen::AngleAxisd turn{Eigen::Matrix3d(Eigen::Map<const Rotation>(back.R))};
+  const Eigen::AngleAxisd turn{back.R};
   Vector6 x;
-  x << turn.angle() * turn.axis(), Eigen::Vector3d::Map(back.t);
+  x << turn.angle() * turn.axis(), back.t;
   return x;
 }
 

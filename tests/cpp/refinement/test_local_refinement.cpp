@@ -4,22 +4,22 @@
 #include <array>
 #include <limits>
 
-#include "ranking/surfaces.h"
-#include "util/error.h"
 #include "preprocessing/normalization.h"
-#include "refinement/refiner.h"
 #include "priors/make_prior.h"
+#include "ranking/surfaces.h"
 #include "refinement/constrained_step.h"
+#include "refinement/refiner.h"
 #include "refinement/shapes.h"
+#include "util/error.h"
 
 namespace {
 
 using emtr::LocalRefinement;
-using emtr::LocalRefinementSettings;
 using emtr::LocalRefinementResult;
-using emtr::Termination;
+using emtr::LocalRefinementSettings;
 using emtr::Rigid;
 using emtr::Surface;
+using emtr::Termination;
 using emtr_test::degrees_between;
 using emtr_test::motion;
 using emtr_test::Refiner;
@@ -41,10 +41,9 @@ struct Scans {
   Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
     const Rigid by = motion(degrees, shift);
     Rigid out;
-    using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    const Eigen::Map<const Rotation> R(by.R);
-    Eigen::Map<Rotation>(out.R) = R * Eigen::Map<const Rotation>(truth.R);
-    Eigen::Vector3d::Map(out.t) = R * Eigen::Vector3d::Map(truth.t) + shift;
+    const Eigen::Matrix3d& R = by.R;
+    out.R = R * truth.R;
+    out.t = R * truth.t + shift;
     return out;
   }
 };
@@ -54,9 +53,9 @@ const Scans& scans() {
   return made;
 }
 
-std::array<double, 16> bits(const LocalRefinementResult& refine_locally) {
+std::array<double, 16> bits(const LocalRefinementResult& refined) {
   std::array<double, 16> out;
-  emtr::to_matrix(refine_locally.pose, out.data());
+  emtr::to_matrix(refined.pose, out.data());
   return out;
 }
 
@@ -64,7 +63,7 @@ TEST(LocalRefinement, FindsThePoseFromWhatTheSearchLeaves) {
   const Refiner refiner(scans().source(0.015), scans().target(0.015), LocalRefinementSettings());
   const Rigid start = scans().off({0.6, -0.7, 0.4}, {0.006, 0.005, -0.006});
   const LocalRefinementResult out = refiner(start);
-  EXPECT_EQ(out.end, Termination::Settled);
+  EXPECT_EQ(out.end, Termination::Converged);
   EXPECT_LT(degrees_between(out.pose, scans().truth), 0.05);
   EXPECT_LT(translation_between(out.pose, scans().truth), 5e-4);
   EXPECT_GT(out.inlier_share_source, 0.4);
@@ -73,7 +72,7 @@ TEST(LocalRefinement, FindsThePoseFromWhatTheSearchLeaves) {
   EXPECT_LT(out.rmse, 0.015 / 4);
   double T[16];
   emtr::to_matrix(out.pose, T);
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(out.pose.R);
+  const Eigen::Matrix3d& R = out.pose.R;
   EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
 }
 
@@ -81,7 +80,8 @@ TEST(LocalRefinement, CoarseComesBackFromTenDegrees) {
   const Surface source = scans().source(0.035), target = scans().target(0.035);
   const Refiner refiner(source, target, emtr::coarse_refinement());
   for (const double sign : {-1.0, 1.0}) {
-    const LocalRefinementResult out = refiner(scans().off({7 * sign, 5, -5}, {0.03, -0.03 * sign, 0.03}));
+    const LocalRefinementResult out =
+        refiner(scans().off({7 * sign, 5, -5}, {0.03, -0.03 * sign, 0.03}));
     EXPECT_LT(degrees_between(out.pose, scans().truth), 0.5);
     EXPECT_EQ(out.inlier_share_target, 0);
   }
@@ -94,7 +94,7 @@ TEST(LocalRefinement, OfItsOwnResultMovesNoMore) {
   last.first_scale = last.last_scale;
   const Refiner again(scans().source(0.02), scans().target(0.02), last);
   const LocalRefinementResult twice = again(once.pose);
-  EXPECT_EQ(twice.end, Termination::Settled);
+  EXPECT_EQ(twice.end, Termination::Converged);
   EXPECT_LT(degrees_between(once.pose, twice.pose), 1e-3);
 }
 
@@ -118,7 +118,7 @@ TEST(LocalRefinement, SameBitsForAnyThreadsKernelsScratchAndSignsOfNormals) {
   EXPECT_EQ(bits((*flipped.local_refinement)(start, nullptr, used)), wanted);
 }
 
-TEST(LocalRefinement, SaysSoWhenThereIsNothingToHoldOnTo) {
+TEST(LocalRefinement, SaysSoWhenNothingConstrainsIt) {
   Surface source = scans().source(0.03), target = scans().target(0.03);
   const Rigid away = motion({10, 20, 30}, {5, 0, 0});
   const LocalRefinementResult out = Refiner(source, target, LocalRefinementSettings())(away);
@@ -131,17 +131,19 @@ TEST(LocalRefinement, SaysSoWhenThereIsNothingToHoldOnTo) {
 
   for (auto* v : {&source.normals.x, &source.normals.y, &source.normals.z})
     std::fill(v->begin(), v->end(), std::numeric_limits<float>::quiet_NaN());
-  const LocalRefinementResult none = Refiner(source, target, LocalRefinementSettings())(scans().truth);
+  const LocalRefinementResult none =
+      Refiner(source, target, LocalRefinementSettings())(scans().truth);
   EXPECT_EQ(none.end, Termination::TooFewInliers);
 }
 
-TEST(LocalRefinement, OfAPlaneStaysWhereItIsFree) {
+TEST(LocalRefinement, OfAPlaneStaysWhereItIsUnconstrained) {
   const Refiner refiner(emtr::downsample_surface(emtr_test::plane(1, 20000, 0.001), 0.03),
-                          emtr::downsample_surface(emtr_test::plane(2, 20000, 0.001), 0.03), LocalRefinementSettings());
+                        emtr::downsample_surface(emtr_test::plane(2, 20000, 0.001), 0.03),
+                        LocalRefinementSettings());
   const LocalRefinementResult out = refiner(motion({1, -1, 0}, {0.02, 0, 0.02}));
   EXPECT_NE(out.end, Termination::TooFewInliers);
-  EXPECT_NEAR(out.pose.R[8], 1, 1e-6);  // the plane lies in the other again
-  EXPECT_NEAR(out.pose.R[6] * 0 + out.pose.R[8] * 0.1 + out.pose.t[2], 0.1, 5e-4);
+  EXPECT_NEAR(out.pose.R(2, 2), 1, 1e-6);  // the plane lies in the other again
+  EXPECT_NEAR(out.pose.R(2, 0) * 0 + out.pose.R(2, 2) * 0.1 + out.pose.t[2], 0.1, 5e-4);
   EXPECT_LT(translation_between(out.pose, motion({0, 0, 0}, {0.02, 0, 0})), 0.02);
 }
 
@@ -165,7 +167,8 @@ TEST(LocalRefinement, RefusesWhatItCannotUse) {
 
   const auto near = emtr::make_brute_force(target.points, 0.1f);
   const auto build = [&](const Surface& s, const emtr::Neighbors* near_source) {
-    return LocalRefinement(s, target, near_source, near.get(), LocalRefinementSettings(), emtr::select_kernels());
+    return LocalRefinement(s, target, near_source, near.get(), LocalRefinementSettings(),
+                           emtr::select_kernels());
   };
   EXPECT_THROW(build(source, nullptr), emtr::Error);
   Surface torn = source;
@@ -184,7 +187,8 @@ struct Bumps {
   emtr::NormalizedPair normalized = emtr::normalize(pair.source(), pair.target(), 1);
   emtr::Rigid truth = normalized.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   emtr_test::Refiner refiner{emtr::downsample_surface(normalized.source, 0.03),
-                               emtr::downsample_surface(normalized.target, 0.03), emtr::LocalRefinementSettings()};
+                             emtr::downsample_surface(normalized.target, 0.03),
+                             emtr::LocalRefinementSettings()};
 
   emtr::LocalRefinementResult from(const emtr::Rigid& start, const emtr::Prior* prior) const {
     emtr::LocalRefinement::Scratch scratch;
@@ -193,15 +197,15 @@ struct Bumps {
   /// Settings with the axis that the true rotation turns about.
   emtr::Settings upright() const {
     emtr::Settings s = emtr::preset("default");
-    using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    const Eigen::AngleAxisd turn(Eigen::Matrix3d(Eigen::Map<const Rotation>(truth.R)));
+    const Eigen::AngleAxisd turn(truth.R);
     s.has_axis = 1;
     Eigen::Vector3d::Map(s.axis) = turn.axis();
     return s;
   }
 };
 
-double step_left(const emtr::LocalRefinementResult& p, const std::vector<emtr::Prior::Limit>& limits) {
+double step_left(const emtr::LocalRefinementResult& p,
+                 const std::vector<emtr::Prior::Limit>& limits) {
   emtr::Matrix6 H;
   p.sums.full_matrix(H.data());
   return emtr::constrained_step(H, emtr::Vector6::Map(p.sums.g), limits).norm();
@@ -212,8 +216,9 @@ TEST(LocalRefinement, UprightItEndsInTheOptimumOfFour) {
   const auto prior = emtr::make_prior(bumps.upright(), bumps.normalized.normalization);
   const emtr::Rigid start =
       prior->project(emtr_test::compose(emtr_test::motion({2, -1, 1}, {0.02, 0, 0}), bumps.truth));
-  const emtr::LocalRefinementResult p = bumps.from(start, prior.get()), free = bumps.from(start, nullptr);
-  EXPECT_EQ(p.end, emtr::Termination::Settled);
+  const emtr::LocalRefinementResult p = bumps.from(start, prior.get()),
+                                    free = bumps.from(start, nullptr);
+  EXPECT_EQ(p.end, emtr::Termination::Converged);
   EXPECT_TRUE(prior->admits(p.pose));
   EXPECT_FALSE(prior->admits(free.pose));
   EXPECT_LT(step_left(p, prior->limits(p.pose)), 5e-3 * 0.03);
@@ -230,8 +235,9 @@ TEST(LocalRefinement, AtABorderTheRestMakesTheBestOfIt) {
   emtr::to_matrix(bumps.normalized.normalization.to_user(guess), s.guess);
   s.guess_translation = 0.01 * bumps.normalized.normalization.scale;
   const auto prior = emtr::make_prior(s, bumps.normalized.normalization);
-  const emtr::LocalRefinementResult p = bumps.from(guess, prior.get()), free = bumps.from(guess, nullptr);
-  EXPECT_EQ(p.end, emtr::Termination::Settled);
+  const emtr::LocalRefinementResult p = bumps.from(guess, prior.get()),
+                                    free = bumps.from(guess, nullptr);
+  EXPECT_EQ(p.end, emtr::Termination::Converged);
   EXPECT_TRUE(prior->admits(p.pose));
   const emtr::Rigid clipped = prior->project(free.pose);
   EXPECT_GT(emtr_test::translation_between(clipped, free.pose), 0.005);

@@ -3,22 +3,22 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "refinement/plane_to_plane.h"
 #include "geometry/small_motion.h"
+#include "refinement/plane_to_plane.h"
 #include "refinement/shapes.h"
 
 namespace {
 
 using emtr::NormalEquations;
-using emtr::Oriented;
 using emtr::PlaneToPlane;
 using emtr::Rigid;
+using emtr::SurfacePoint;
 using emtr_test::motion;
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-Oriented oriented(const Eigen::Vector3d& p, const Eigen::Vector3d& n) {
-  Oriented out;
+SurfacePoint oriented(const Eigen::Vector3d& p, const Eigen::Vector3d& n) {
+  SurfacePoint out;
   Eigen::Vector3f::Map(out.p) = p.cast<float>();
   Eigen::Vector3f::Map(out.n) = n.normalized().cast<float>();
   return out;
@@ -30,15 +30,12 @@ struct Match {
   Rigid pose = motion({20, -30, 50}, {0.1, -0.2, 0.05});
   Eigen::Vector3d p{0.3, -0.4, 0.5}, n{0.1, 0.8, -0.5}, d{0.01, 0.012, -0.006}, tilt{3, -4, 2};
 
-  Eigen::Matrix3d R() const {
-    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.R);
-  }
-  Eigen::Vector3d y() const { return R() * p + Eigen::Vector3d::Map(pose.t); }
-  Oriented source() const { return oriented(p, n); }
-  Oriented target() const {
+  Eigen::Matrix3d R() const { return pose.R; }
+  Eigen::Vector3d y() const { return R() * p + pose.t; }
+  SurfacePoint source() const { return oriented(p, n); }
+  SurfacePoint target() const {
     const Rigid turn = motion(tilt, {0, 0, 0});
-    return oriented(
-        y() - d, Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(turn.R) * R() * n);
+    return oriented(y() - d, turn.R * R() * n);
   }
   NormalEquations sums(double scale = kScale, double gate = 0.7) const {
     NormalEquations out;
@@ -117,7 +114,7 @@ TEST(PlaneToPlane, LeavesOutFarPairsOtherNormalsAndNone) {
   turned.tilt = 35 * (match.R() * match.n).unitOrthogonal();  // cosine 0.82
   EXPECT_EQ(turned.sums(kScale, 0.8).inliers, 1);
   EXPECT_EQ(turned.sums(kScale, 0.84).inliers, 0);
-  Oriented bare = match.source();
+  SurfacePoint bare = match.source();
   bare.n[0] = bare.n[1] = bare.n[2] = std::nanf("");
   PlaneToPlane(match.pose, kScale, kEps, 0).add(bare, match.target(), none);
   PlaneToPlane(match.pose, kScale, kEps, 0).add(match.source(), bare, none);
@@ -130,13 +127,12 @@ TEST(Moved, IsTheExponentialOnTheLeftAndStaysARotation) {
   const double x[6] = {0.3, -0.1, 0.2, 0.01, 0.02, -0.03};
   const Rigid out = emtr::moved(pose, x);
   const Rigid turn = motion(Eigen::Vector3d(x[0], x[1], x[2]) * 180 / M_PI, {x[3], x[4], x[5]});
-  using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const Rotation wanted = Eigen::Map<const Rotation>(turn.R) * Eigen::Map<const Rotation>(pose.R);
-  EXPECT_LT((Eigen::Map<const Rotation>(out.R) - wanted).norm(), 1e-14);
+  const Eigen::Matrix3d wanted = turn.R * pose.R;
+  EXPECT_LT((out.R - wanted).norm(), 1e-14);
   Rigid many = pose;
   for (int i = 0; i < 2000; ++i) many = emtr::moved(many, x);
-  const Eigen::Map<const Rotation> R(many.R);
-  EXPECT_LT((R * R.transpose() - Rotation::Identity()).norm(), 1e-14);
+  const Eigen::Matrix3d& R = many.R;
+  EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
   const double nothing[6] = {};
   EXPECT_LT(emtr_test::degrees_between(emtr::moved(pose, nothing), pose), 1e-12);
 }

@@ -16,7 +16,7 @@ emtr::Rigid some_pose() {
 
 void moved(const emtr::Rigid& pose, const double p[3], double q[3]) {
   for (int a = 0; a < 3; ++a)
-    q[a] = pose.R[3 * a] * p[0] + pose.R[3 * a + 1] * p[1] + pose.R[3 * a + 2] * p[2] + pose.t[a];
+    q[a] = pose.R(a, 0) * p[0] + pose.R(a, 1) * p[1] + pose.R(a, 2) * p[2] + pose.t[a];
 }
 
 void expect_same(const emtr::Rigid& a, const emtr::Rigid& b, double tolerance) {

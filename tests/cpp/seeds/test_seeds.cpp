@@ -64,8 +64,8 @@ TEST(Seeds, AreTheSameForAnyThreads) {
   ASSERT_EQ(one.size(), four.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].inliers, four[i].inliers);
-    for (int k = 0; k < 9; ++k) EXPECT_EQ(one[i].pose.R[k], four[i].pose.R[k]);
-    for (int k = 0; k < 3; ++k) EXPECT_EQ(one[i].pose.t[k], four[i].pose.t[k]);
+    EXPECT_EQ(one[i].pose.R, four[i].pose.R);
+    EXPECT_EQ(one[i].pose.t, four[i].pose.t);
   }
 }
 

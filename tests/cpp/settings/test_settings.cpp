@@ -5,8 +5,9 @@
 #include <set>
 #include <string>
 
-#include "util/error.h"
 #include "settings/settings.h"
+#include "settings/validation.h"
+#include "util/error.h"
 
 namespace {
 

@@ -18,7 +18,8 @@ struct Dense {
 template <class AnyPair>
 Dense dense(const AnyPair& pair) {
   const emtr::Settings settings = emtr::preset("paper");
-  const emtr::DownsampledClouds d = emtr::downsample(emtr::normalize(pair.source(), pair.target(), 1), settings);
+  const emtr::DownsampledClouds d =
+      emtr::downsample(emtr::normalize(pair.source(), pair.target(), 1), settings);
   emtr::FeatureDefinition definition;
   definition.normal_radius = settings.normal_radius * d.leaf_dense;
   definition.feature_radius = settings.feature_radius * d.leaf_dense;

@@ -38,7 +38,7 @@ double oracle(const Cloud& from, const Cloud& to, const Rigid& T, double c) {
     const double p[3] = {double{from.x[i]}, double{from.y[i]}, double{from.z[i]}};
     double y[3];
     for (int a = 0; a < 3; ++a)
-      y[a] = T.R[3 * a] * p[0] + T.R[3 * a + 1] * p[1] + T.R[3 * a + 2] * p[2] + T.t[a];
+      y[a] = T.R(a, 0) * p[0] + T.R(a, 1) * p[1] + T.R(a, 2) * p[2] + T.t[a];
     double nearest = HUGE_VAL;
     for (std::size_t k = 0; k < to.size(); ++k)
       nearest = std::min(nearest, std::hypot(y[0] - double{to.x[k]}, y[1] - double{to.y[k]},

@@ -11,21 +11,21 @@ namespace {
 struct Case {
   emtr::Cloud p, q;
   std::vector<emtr::Correspondence> correspondences;
-  double R[9];
+  Eigen::Matrix3d R;
 };
 
 /// Half of the correspondences follow a rotation with a little noise, half are wrong.
 Case make_case(std::size_t n) {
   Case c;
   const double angles[3] = {0.7, 0.2, -1.3};
-  emtr::euler_to_rotation(angles, c.R);
+  c.R = emtr::euler_to_rotation(angles);
   c.p = emtr_test::uniform_cloud(n, 1);
   const emtr::Cloud noise = emtr_test::uniform_cloud(n, 2, 0.01f);
   const emtr::Cloud wrong = emtr_test::uniform_cloud(n, 3);
   for (std::size_t i = 0; i < n; ++i) {
     const double p[3] = {double{c.p.x[i]}, double{c.p.y[i]}, double{c.p.z[i]}};
     const auto row = [&](int a) {
-      return static_cast<float>(c.R[3 * a] * p[0] + c.R[3 * a + 1] * p[1] + c.R[3 * a + 2] * p[2]);
+      return static_cast<float>(c.R(a, 0) * p[0] + c.R(a, 1) * p[1] + c.R(a, 2) * p[2]);
     };
     if (i % 2)
       emtr_test::push(c.q, wrong.x[i], wrong.y[i], wrong.z[i]);
@@ -36,7 +36,7 @@ Case make_case(std::size_t n) {
   return c;
 }
 
-double oracle(const Case& c, const double* R, double tau) {
+double oracle(const Case& c, const Eigen::Matrix3d& R, double tau) {
   const double threshold = 5 * tau, eta = 50 * tau;
   double sum = 0;
   for (std::size_t j = 0; j < c.p.size(); ++j)
@@ -47,7 +47,7 @@ double oracle(const Case& c, const double* R, double tau) {
                            double{c.q.z[k]} - double{c.q.z[j]}};
       double squared = 0;
       for (int a = 0; a < 3; ++a) {
-        const double d = q[a] - (R[3 * a] * p[0] + R[3 * a + 1] * p[1] + R[3 * a + 2] * p[2]);
+        const double d = q[a] - (R(a, 0) * p[0] + R(a, 1) * p[1] + R(a, 2) * p[2]);
         squared += d * d;
       }
       sum += std::sqrt(squared) < threshold ? std::sqrt(squared) : eta;
@@ -65,8 +65,7 @@ TEST(TaskBeta, IsTheModifiedConsensus) {
   const emtr::TaskBeta beta(tims, tau, settings, emtr::select_kernels());
   for (int i = 0; i < 20; ++i) {
     const double angles[3] = {0.7 + 0.02 * i, 0.2, -1.3 + 0.1 * i};
-    double R[9];
-    emtr::euler_to_rotation(angles, R);
+    const Eigen::Matrix3d R = emtr::euler_to_rotation(angles);
     EXPECT_NEAR(beta.evaluate(R) / oracle(c, R, tau), 1, 1e-4);
   }
 }
@@ -84,8 +83,7 @@ TEST(TaskBeta, PruningChangesNothing) {
       b(all, tau, settings, emtr::select_kernels());
   for (int i = 0; i < 50; ++i) {
     const double angles[3] = {0.1 * i, 0.05 * i, -0.2 * i};
-    double R[9];
-    emtr::euler_to_rotation(angles, R);
+    const Eigen::Matrix3d R = emtr::euler_to_rotation(angles);
     EXPECT_NEAR(a.evaluate(R), b.evaluate(R), 1e-5);
   }
 }
@@ -98,8 +96,7 @@ TEST(TaskBeta, PrefersTheTrueRotation) {
   const double at_truth = beta.evaluate(c.R);
   for (int i = 1; i < 30; ++i) {
     const double angles[3] = {0.7 + 0.2 * i, 0.2, -1.3};
-    double R[9];
-    emtr::euler_to_rotation(angles, R);
+    const Eigen::Matrix3d R = emtr::euler_to_rotation(angles);
     EXPECT_LT(at_truth, beta.evaluate(R));
   }
 }

@@ -9,23 +9,24 @@
 #include <string>
 #include <thread>
 
-#include "pipeline/problem.h"
 #include "support/bumpy_pair.h"
 #include "support/clouds.h"
-#include "util/thread_team.h"
+#include "support/problems.h"
 #include "util/cancellation.h"
+#include "util/thread_team.h"
 
 namespace {
 
-using emtr::OnProgress;
-using emtr::Cancelled;
-using emtr::ThreadTeam;
-using emtr::CancellationToken;
 using emtr::CancellationScope;
+using emtr::CancellationToken;
+using emtr::Cancelled;
+using emtr::OnProgress;
+using emtr::ThreadTeam;
 using emtr_test::Pair;
 using ResultPtr = std::unique_ptr<emtr::Result>;
 
-constexpr CancellationToken::Clock::duration kAlways{0};  // asks at every poll, so that counts are of work
+constexpr CancellationToken::Clock::duration kAlways{
+    0};  // asks at every poll, so that counts are of work
 
 emtr::Settings through_all_stages(int threads) {
   emtr::Settings settings = emtr::preset("thorough");
@@ -39,10 +40,9 @@ emtr::Settings through_all_stages(int threads) {
 
 ResultPtr run(const emtr_cloud& source, const emtr_cloud& target, const emtr::Settings& settings,
               CancellationToken& watch) {
-  const auto normalized = [&] {
-    return emtr::normalize(source, target, emtr::thread_count(settings));
-  };
-  return emtr::Problem(normalized, settings, watch).solve(watch);
+  emtr::InputCloud from{&source, nullptr}, to{&target, nullptr};
+  const auto problem = emtr::make_problem(from, to, settings, watch);
+  return emtr::solve(*problem, watch);
 }
 
 ResultPtr run(const Pair& pair, const emtr::Settings& settings, const OnProgress& on_progress,
@@ -82,8 +82,9 @@ TEST(CancellationToken, IsAskedEveryFewMillisecondsOfWorkInEachStage) {
   const auto matches = static_cast<std::size_t>(settings.max_correspondences),
              particles = 2 * static_cast<std::size_t>(settings.population),
              described = static_cast<std::size_t>(settings.dense_points);
-  EXPECT_GE(polls["normalization"], 2 * 4 * points / 65536);  // four passes over each cloud, by blocks
-  EXPECT_GE(polls["downsampling"], 5u);                  // counts of one leaf each
+  EXPECT_GE(polls["normalization"],
+            2 * 4 * points / 65536);     // four passes over each cloud, by blocks
+  EXPECT_GE(polls["downsampling"], 5u);  // counts of one leaf each
   EXPECT_GE(polls["features"], described / 100);
   EXPECT_GE(polls["matching"], described / 64);  // and the points of the grids
   EXPECT_GE(polls["seeds"], matches / 10);       // by match and by seed
@@ -114,11 +115,9 @@ TEST(CancellationToken, IsAskedWhileWhatWasHandedInIsRead) {
     return p.stage == std::string("matching");
   };
   CancellationToken watch(stop_after_features, 0, kAlways);
-  const auto normalized = [&] {
-    return emtr::normalize(emtr::kept(source, settings), emtr::kept(target, settings), 1);
-  };
-  const emtr::Problem problem(normalized, settings, watch);
-  EXPECT_TRUE(problem.stopped());
+  emtr::InputCloud from{&source, nullptr}, to{&target, nullptr};
+  const auto problem = emtr::make_problem(from, to, settings, watch);
+  EXPECT_TRUE(problem->stopped);
   EXPECT_GE(polls["normalization"], 2 * points / 256);
   EXPECT_GE(polls["features"], points / 1024);
 }
@@ -228,9 +227,9 @@ TEST(CancellationToken, TheTimeLimitHasAReasonOfItsOwn) {
 
   emtr::Settings settings = through_all_stages(1);
   settings.time_limit = 1e-9;  // of a problem at hand it counts from solve() on
-  const emtr::Problem problem(pair.source(), pair.target(), settings, nullptr);
-  EXPECT_FALSE(problem.stopped());
-  const ResultPtr seed = problem.solve(nullptr);
+  const auto problem = emtr_test::problem_of(pair.source(), pair.target(), settings);
+  EXPECT_FALSE(problem->stopped);
+  const ResultPtr seed = emtr_test::solve(*problem);
   EXPECT_EQ(seed->reason, EMTR_REASON_TIME_LIMIT);
   EXPECT_TRUE(emtr::is_rigid(seed->transformation));  // the best of the seeds
 }
@@ -261,7 +260,7 @@ TEST(CancellationToken, ACallbackMayRegisterCloudsItself) {
     EXPECT_TRUE(same_pose(*run(other, through_all_stages(2), count), *alone));
     // Without an eye of its own it is nobody's: the outer run is not asked for it.
     const std::size_t before = asked;
-    emtr::Problem(other.source(), other.target(), through_all_stages(1), nullptr);
+    emtr_test::problem_of(other.source(), other.target(), through_all_stages(1));
     EXPECT_EQ(asked, before);
     return false;
   };
@@ -280,14 +279,14 @@ TEST(CancellationToken, ACallbackMayRegisterTheCloudsOfTheRun) {
   std::size_t asked = 0;
   const auto nested = [&](const emtr_progress& p) {
     if (p.stage != std::string("downsampling") || ++asked % 20 != 10) return false;
-    EXPECT_TRUE(same_pose(*emtr::Problem(source, target, settings, nullptr).solve(nullptr),
+    EXPECT_TRUE(same_pose(*emtr_test::solve(*emtr_test::problem_of(source, target, settings)),
                           undisturbed(pair)));
     return false;
   };
   CancellationToken watch(nested, 0, kAlways);
-  const auto normalized = [&] { return emtr::normalize(source, target); };
-  EXPECT_TRUE(
-      same_pose(*emtr::Problem(normalized, settings, watch).solve(watch), undisturbed(pair)));
+  emtr::InputCloud from{nullptr, source}, to{nullptr, target};
+  const auto problem = emtr::make_problem(from, to, settings, watch);
+  EXPECT_TRUE(same_pose(*emtr::solve(*problem, watch), undisturbed(pair)));
   EXPECT_GE(asked, 40u);
 }
 

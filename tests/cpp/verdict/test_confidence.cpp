@@ -40,38 +40,40 @@ Candidate at(double degrees, double score, double shift = 0) {
 }
 
 TEST(Confidence, TheGapIsToTheBestClearlyDifferentCandidate) {
-  const Confidence s = estimate_confidence({at(0, 0.7), at(6, 0.65), at(0, 0.6, 0.1), at(40, 0.5), at(80, 0.4)});
-  EXPECT_DOUBLE_EQ(s.gap, 0.7 - 0.5);
-  ASSERT_EQ(s.others.size(), 2u);
-  EXPECT_EQ(s.others[0].score, 0.5);
-  EXPECT_EQ(s.others[1].score, 0.4);
+  const Confidence s =
+      estimate_confidence({at(0, 0.7), at(6, 0.65), at(0, 0.6, 0.1), at(40, 0.5), at(80, 0.4)});
+  EXPECT_DOUBLE_EQ(s.score_gap, 0.7 - 0.5);
+  ASSERT_EQ(s.alternatives.size(), 2u);
+  EXPECT_EQ(s.alternatives[0].score, 0.5);
+  EXPECT_EQ(s.alternatives[1].score, 0.4);
 }
 
 TEST(Confidence, AShiftAloneMakesAnotherAnswerToo) {
-  EXPECT_DOUBLE_EQ(estimate_confidence({at(0, 0.7), at(0, 0.6, 0.2)}).gap, 0.7 - 0.6);
+  EXPECT_DOUBLE_EQ(estimate_confidence({at(0, 0.7), at(0, 0.6, 0.2)}).score_gap, 0.7 - 0.6);
 }
 
-TEST(Confidence, WithoutOthersTheGapIsTheScore) {
+TEST(Confidence, WithoutAlternativesTheGapIsTheScore) {
   const Confidence s = estimate_confidence({at(0, 0.6), at(5, 0.5)});
-  EXPECT_EQ(s.gap, 0.6);
-  EXPECT_TRUE(s.others.empty());
+  EXPECT_EQ(s.score_gap, 0.6);
+  EXPECT_TRUE(s.alternatives.empty());
 }
 
-TEST(Confidence, OthersBelowNothingLeaveTheGapAtTheScore) {
+TEST(Confidence, AlternativesBelowNothingLeaveTheGapAtTheScore) {
   // A score below zero is as good as none: it must not make the best look better.
-  EXPECT_EQ(estimate_confidence({at(0, 0.3), at(90, -0.8)}).gap, 0.3);
+  EXPECT_EQ(estimate_confidence({at(0, 0.3), at(90, -0.8)}).score_gap, 0.3);
 }
 
-TEST(Confidence, OthersAreDistinctBestFirstAndTenAtMost) {
+TEST(Confidence, AlternativesAreDistinctBestFirstAndTenAtMost) {
   std::vector<Candidate> all;
   for (int i = 0; i < 60; ++i) all.push_back(at(6.0 * i, 0.7 - 0.01 * i));
   const Confidence s = estimate_confidence(all);
-  ASSERT_EQ(s.others.size(), 10u);
-  for (std::size_t i = 0; i < s.others.size(); ++i) {
-    EXPECT_FALSE(emtr::within(s.others[i].pose, all[0].pose, emtr::kDistinctPose));
+  ASSERT_EQ(s.alternatives.size(), 10u);
+  for (std::size_t i = 0; i < s.alternatives.size(); ++i) {
+    EXPECT_FALSE(emtr::is_same_pose(s.alternatives[i].pose, all[0].pose, emtr::kDistinctPose));
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_FALSE(emtr::within(s.others[i].pose, s.others[j].pose, emtr::kDistinctPose));
-      EXPECT_LE(s.others[i].score, s.others[j].score);
+      EXPECT_FALSE(
+          emtr::is_same_pose(s.alternatives[i].pose, s.alternatives[j].pose, emtr::kDistinctPose));
+      EXPECT_LE(s.alternatives[i].score, s.alternatives[j].score);
     }
   }
 }
@@ -80,7 +82,7 @@ TEST(Confidence, ConfidenceIsAShareThatGrowsWithTheScore) {
   for (const double other : {-0.5, 0.05, 0.3, 0.6}) {
     double before = -1;
     for (const double step : {0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.39}) {
-      const double c = estimate_confidence(ranked({other + step, other})).confidence;
+      const double c = estimate_confidence(ranked({other + step, other})).probability;
       EXPECT_GE(c, 0);
       EXPECT_LE(c, 1);
       EXPECT_EQ(c, std::round(c * 1e6) / 1e6);  // what no C library's last digits can change
@@ -88,18 +90,19 @@ TEST(Confidence, ConfidenceIsAShareThatGrowsWithTheScore) {
       before = c;
     }
   }
-  EXPECT_GT(estimate_confidence(ranked({0.4})).confidence, estimate_confidence(ranked({0.1})).confidence);
+  EXPECT_GT(estimate_confidence(ranked({0.4})).probability,
+            estimate_confidence(ranked({0.1})).probability);
 }
 
 TEST(Confidence, ConfidenceGrowsWithTheGap) {
   for (const double score : {0.05, 0.12, 0.3, 0.7, 1.0}) {
     double before = -1;
     for (const double share : {0.0, 0.01, 0.05, 0.1, 0.19, 0.21, 0.4, 0.8, 1.0}) {
-      const double c = estimate_confidence(ranked({score, score - share * score})).confidence;
+      const double c = estimate_confidence(ranked({score, score - share * score})).probability;
       EXPECT_GE(c, before) << score << ' ' << share;
       before = c;
     }
-    EXPECT_GT(before, estimate_confidence(ranked({score, score})).confidence);
+    EXPECT_GT(before, estimate_confidence(ranked({score, score})).probability);
   }
 }
 
@@ -109,13 +112,13 @@ TEST(Confidence, ConfidenceFallsWithTheViolationAtEqualScore) {
     std::vector<Candidate> some = ranked({0.15, 0.1});
     some[0].violation = violation;
     some[0].fit.score = 0.15 + 2 * violation;
-    const double c = estimate_confidence(some).confidence;
+    const double c = estimate_confidence(some).probability;
     EXPECT_LT(c, before) << violation;
     before = c;
   }
 }
 
-TEST(Confidence, SurfacesThatCrossAreDoubtedAndThoseThatLieFlushAreNot) {
+TEST(Confidence, CrossingSurfacesLowerItAndFlushOnesDoNot) {
   for (const double surface_mismatch : {-0.2, 0.0, 0.3, 0.7, std::nan("")})
     EXPECT_EQ(emtr::lower_confidence(0.9, surface_mismatch), 0.9) << surface_mismatch;
   double before = 0.9;
@@ -129,23 +132,24 @@ TEST(Confidence, SurfacesThatCrossAreDoubtedAndThoseThatLieFlushAreNot) {
 }
 
 TEST(Confidence, ConfidenceTellsGoodFromBad) {
-  EXPECT_GT(estimate_confidence(ranked({0.7, 0.1})).confidence, 0.95);
-  EXPECT_LT(estimate_confidence(ranked({0.1, 0.09})).confidence, 0.5);
-  EXPECT_LT(estimate_confidence(ranked({0.05, 0.045})).confidence, 0.05);
-  EXPECT_LT(estimate_confidence(ranked({-2})).confidence, 0.05);
+  EXPECT_GT(estimate_confidence(ranked({0.7, 0.1})).probability, 0.95);
+  EXPECT_LT(estimate_confidence(ranked({0.1, 0.09})).probability, 0.5);
+  EXPECT_LT(estimate_confidence(ranked({0.05, 0.045})).probability, 0.05);
+  EXPECT_LT(estimate_confidence(ranked({-2})).probability, 0.05);
 }
 
 TEST(Confidence, OfTwoAnswersThatAreAsGoodNoneIsBelievedByHalf) {
   for (const double score : {0.2, 0.5, 1.0}) {
-    EXPECT_LT(estimate_confidence(ranked({score, score})).confidence, 0.5);
-    EXPECT_LT(estimate_confidence(ranked({score, 0.85 * score})).confidence, 0.5);
+    EXPECT_LT(estimate_confidence(ranked({score, score})).probability, 0.5);
+    EXPECT_LT(estimate_confidence(ranked({score, 0.85 * score})).probability, 0.5);
   }
-  EXPECT_GT(estimate_confidence(ranked({0.7, 0.5})).confidence, 0.5);
+  EXPECT_GT(estimate_confidence(ranked({0.7, 0.5})).probability, 0.5);
 }
 
 TEST(Confidence, AFewPointsAreNoEvidence) {
   const auto confidence = [](std::size_t source, std::size_t target) {
-    return emtr::estimate_confidence(ranked({0.8, 0.1}), source, target).confidence;  // half of them are inliers
+    return emtr::estimate_confidence(ranked({0.8, 0.1}), source, target)
+        .probability;  // half are inliers
   };
   EXPECT_EQ(confidence(200, 200), confidence(5000, 200));
   EXPECT_GT(confidence(200, 200), 0.95);
@@ -159,8 +163,8 @@ class Reason : public testing::Test {
   emtr_reason reason(const std::vector<double>& scores, bool unconstrained = false,
                      std::size_t correspondences = 100, std::size_t points = kPoints) const {
     const auto all = ranked(scores);
-    const Confidence standing = emtr::estimate_confidence(all, points, points);
-    return emtr::reason(all.front(), standing, unconstrained, correspondences, settings);
+    const Confidence confidence = emtr::estimate_confidence(all, points, points);
+    return emtr::reason(all.front(), confidence, unconstrained, correspondences, settings);
   }
   emtr::Settings settings = emtr::preset("default");
 };
@@ -192,7 +196,7 @@ TEST_F(Reason, FewMatches) {
 }
 
 TEST_F(Reason, FollowsTheConfidenceAskedFor) {
-  const double confidence = estimate_confidence(ranked({0.4, 0.3})).confidence;
+  const double confidence = estimate_confidence(ranked({0.4, 0.3})).probability;
   settings.minimum_confidence = confidence;
   EXPECT_EQ(reason({0.4, 0.3}), EMTR_REASON_REGISTERED);
   settings.minimum_confidence = std::nextafter(confidence, 1.0);

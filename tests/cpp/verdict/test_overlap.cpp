@@ -10,8 +10,8 @@
 
 namespace {
 
-using emtr::Overlap;
 using emtr::Cloud;
+using emtr::Overlap;
 
 constexpr double kLeaf = 0.05;
 
@@ -24,7 +24,7 @@ Cloud sheet(std::uint64_t seed, double low, double high, double height = 0, doub
       });
 }
 
-/// A prepared cloud without handed normals, as fine_surfaces() asks for.
+/// A preprocessed cloud without user-provided normals, as fine_surfaces() asks for.
 emtr::PreprocessedCloudPtr preprocessed(const Cloud& cloud) {
   std::vector<float> rows;
   for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -46,11 +46,12 @@ double surface_mismatch(const Cloud& source, const Cloud& target, const emtr::Ri
   const emtr::Kernels& kernels = emtr::select_kernels();
   const emtr::NormalizedPair pair = pair_of(source, target);
   const emtr::FineSurfaces fine = emtr::fine_surfaces(pair, kLeaf, kernels);
-  return emtr::surface_mismatch(emtr::evaluate_overlap(pair, fine, pose, kernels), pair, fine, kernels);
+  return emtr::surface_mismatch(emtr::evaluate_overlap(pair, fine, pose, kernels), pair, fine,
+                                kernels);
 }
 
 Overlap evaluate_overlap(const Cloud& source, const Cloud& target, const emtr::Rigid& pose = {},
-                const emtr::Kernels& kernels = emtr::select_kernels()) {
+                         const emtr::Kernels& kernels = emtr::select_kernels()) {
   const emtr::NormalizedPair pair = pair_of(source, target);
   return emtr::evaluate_overlap(pair, emtr::fine_surfaces(pair, kLeaf, kernels), pose, kernels);
 }
@@ -67,7 +68,8 @@ TEST(Overlap, OverlapIsTheShareThatLiesOnTheOther) {
 
 TEST(Overlap, PlaneResidualsAreTheNoiseAndPointResidualsTheSpacingToo) {
   for (const double noise : {0.001, 0.004}) {
-    const Overlap a = evaluate_overlap(sheet(3, -0.5, 0.5, 0.02, noise), sheet(4, -0.5, 0.5, 0.02, noise));
+    const Overlap a =
+        evaluate_overlap(sheet(3, -0.5, 0.5, 0.02, noise), sheet(4, -0.5, 0.5, 0.02, noise));
     EXPECT_GT(a.overlap_source, 0.99);
     EXPECT_NEAR(a.plane_rmse, noise, 0.2 * noise);  // the target's is averaged over a cube
     EXPECT_GT(a.rmse, 0.25 * kLeaf);
@@ -77,7 +79,7 @@ TEST(Overlap, PlaneResidualsAreTheNoiseAndPointResidualsTheSpacingToo) {
   EXPECT_NEAR(off.plane_rmse, 0.02, 1e-4);
 }
 
-TEST(Overlap, CrossingTellsFlushSurfacesFromThoseThatCut) {
+TEST(Overlap, MismatchTellsFlushSurfacesFromThoseThatCross) {
   for (const double noise : {0.001, 0.01}) {
     const Cloud still = sheet(11, -0.5, 0.5, 0.02, noise);
     EXPECT_NEAR(surface_mismatch(sheet(12, -0.5, 0.5, 0.02, noise), still), 0, 0.15) << noise;
@@ -94,9 +96,7 @@ TEST(Overlap, IsTakenAtThePose) {
   const emtr::Rigid back = pose.inverse();
   for (std::size_t i = 0; i < source.size(); ++i) {
     const Eigen::Vector3d p(source.x[i], source.y[i], source.z[i]);
-    const Eigen::Vector3d q =
-        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(back.R) * p +
-        Eigen::Vector3d::Map(back.t);
+    const Eigen::Vector3d q = back.R * p + back.t;
     source.x[i] = static_cast<float>(q.x());
     source.y[i] = static_cast<float>(q.y());
     source.z[i] = static_cast<float>(q.z());

@@ -25,12 +25,12 @@ emtr_cloud view(const Points& points) { return {points.data(), points.size(), 0,
 
 /// Distance of every point to the nearest of the others, by looking at all.
 std::vector<double> by_hand(const Points& points, const emtr::Rigid& pose, const Points& others) {
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(pose.R);
+  const Eigen::Matrix3d& R = pose.R;
   std::vector<double> out;
   for (const auto& p : points) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& q : others)
-      least = std::min(least, (R * p + Eigen::Vector3d::Map(pose.t) - q).norm());
+      least = std::min(least, (R * p + pose.t - q).norm());
     out.push_back(least);
   }
   return out;

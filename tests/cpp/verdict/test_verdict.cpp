@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "pipeline/problem.h"
 #include "support/clouds.h"
+#include "support/problems.h"
 #include "verdict/verdict.h"
 
 namespace {
@@ -11,21 +11,22 @@ namespace {
 class Verdict : public testing::Test {
  protected:
   emtr_test::Pair pair{21, 5000};
-  emtr::Problem problem{pair.source(), pair.target(), emtr::preset("paper"), nullptr};
-  emtr::Rigid truth = problem.normalization.to_normalized(emtr::from_matrix(pair.pose()));
+  emtr_test::ProblemPtr problem =
+      emtr_test::problem_of(pair.source(), pair.target(), emtr::preset("paper"));
+  emtr::Rigid truth = problem->pair.normalization.to_normalized(emtr::from_matrix(pair.pose()));
 
   emtr::Evolution with(std::vector<emtr::Rigid> poses) const {
     emtr::Evolution e;
     e.stage = EMTR_STAGE_DENSE;
     emtr::TaskAlpha::Scratch scratch;
     for (const auto& pose : poses)
-      e.hypotheses.push_back({pose, problem.alpha->evaluate(EMTR_STAGE_DENSE, pose, scratch)});
+      e.hypotheses.push_back({pose, problem->alpha->evaluate(EMTR_STAGE_DENSE, pose, scratch)});
     return e;
   }
 
   emtr::Verdict judge(const emtr::Evolution& e) const {
-    return emtr::judge(e, e.hypotheses[e.best].pose, *problem.alpha, problem.correspondences.size(),
-                       problem.settings);
+    return emtr::judge(e, e.hypotheses[e.best].pose, *problem->alpha,
+                       problem->correspondences.size(), problem->settings);
   }
 };
 
@@ -34,7 +35,7 @@ TEST_F(Verdict, AcceptsTheTruth) {
   EXPECT_TRUE(v.registered);
   EXPECT_EQ(v.reason, EMTR_REASON_REGISTERED);
   EXPECT_GT(v.inlier_ratio_source, 0.6);
-  EXPECT_DOUBLE_EQ(v.fitness_gap, 1 - v.fitness);  // no other mode
+  EXPECT_DOUBLE_EQ(v.fitness_gap, 1 - v.fitness);  // no other answer
 }
 
 TEST_F(Verdict, RefusesAPoseThatExplainsLittle) {
@@ -53,7 +54,7 @@ TEST_F(Verdict, KnowsAnEquallyGoodOtherPose) {
   EXPECT_FALSE(v.registered);
   EXPECT_EQ(v.reason, EMTR_REASON_AMBIGUOUS);
 
-  e.hypotheses[1].pose.t[0] = truth.t[0] + 0.01;  // the same mode
+  e.hypotheses[1].pose.t[0] = truth.t[0] + 0.01;  // the same answer
   EXPECT_TRUE(judge(e).registered);
 }
 

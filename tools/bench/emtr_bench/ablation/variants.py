@@ -46,7 +46,6 @@ VARIANTS = (
     Variant(SWARM, "rotation vectors", {**_SWARM, "rotation_vector_steps": "off"}),
     Variant(SWARM, "shortest arc", {**_SWARM, "arc_transfer": "off"}),
     Variant(SWARM, "both (angles instead)", {**_SWARM, **_ANGLES}),
-    Variant(SWARM, "nothing, with restarts", {**_SWARM, "restart_after": 4}),
     Variant(SWARM, "evolution (1 iteration)", {**_SWARM, "iterations": 1}),
     Variant(SWARM, "nothing, 100 iterations", {**_SWARM, "iterations": 100}),
 )

@@ -7,58 +7,67 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <pcl/registration/impl/emtr_ssc_user_input.hpp>
 #include <pcl/registration/impl/emtr_ssc_points.hpp>
+#include <pcl/registration/impl/emtr_ssc_user_input.hpp>
 #include <vector>
 
 namespace pcl {
 namespace detail {
 
-/** \brief An input cloud as the library prepares it, kept from one align() to the next.
+/** \brief Caches the preprocessing of an input cloud from one align() to the next.
  *
- * Prepared again when any coordinate has changed, also in place, which no setter is told of: so
- * the coordinates are kept too and compared, which takes far less time than to prepare them. Who
- * hands in other normals or features says so by forget(). */
+ * A cloud is preprocessed again when any coordinate changes. It may change in place, which no
+ * setter sees, so the cache keeps a copy of the coordinates and compares them; that is far cheaper
+ * than preprocessing. It does not compare normals and features: reset() it when they change. */
 class CachedCloud {
  public:
-  /** \brief The cloud made ready; \a name and \a threads as in emtr_preprocess(), \a keep_points as in
-   * emtr_cloud.
-   * \return null when it cannot be registered: emtr_error_message() tells why */
+  /** \brief Returns the preprocessed cloud, from the cache if it is there.
+   * \param[in] cloud the cloud
+   * \param[in] name the name in error messages, as in emtr_preprocess()
+   * \param[in] threads the number of threads, as in emtr_preprocess()
+   * \param[in] input the user's normals and features of the cloud's points
+   * \param[in] keep_points whether correspondences can refer to the points, as in emtr_cloud
+   * \return null if the cloud cannot be registered: emtr_error_message() says why */
   template <typename PointT>
-  std::shared_ptr<const emtr_preprocessed> of(const PointCloud<PointT>& cloud, const char* name,
-                                          std::int32_t threads, const UserInput& handed = {},
-                                          bool keep_points = false) {
-    if (prepared_ && (keeps_points_ || !keep_points) && isOf(cloud)) return prepared_;
-    forget();
+  std::shared_ptr<const emtr_preprocessed> get(const PointCloud<PointT>& cloud, const char* name,
+                                               std::int32_t threads, const UserInput& input = {},
+                                               bool keep_points = false) {
+    if (preprocessed_ && (keeps_points_ || !keep_points) && holds(cloud)) return preprocessed_;
+    reset();
     keeps_points_ = keep_points;
-    // Plain arrays of our own: what is in a pcl::PointCloud depends on how the caller was compiled.
+    // Plain arrays: the layout of a pcl::PointCloud depends on how the caller was compiled.
     packed_ = packPoints(cloud);
     emtr_cloud view = {packed_.data(), cloud.size(), 0, EMTR_FLOAT32};
-    if (handed.normals.given) view.normals = handed.normals.values.data();
-    if (handed.features.given) {
-      view.features = handed.features.values.data();
-      view.feature_dimension = handed.features.width;
+    if (input.normals.given) view.normals = input.normals.values.data();
+    if (input.features.given) {
+      view.features = input.features.values.data();
+      view.feature_dimension = input.features.width;
     }
     view.keep_points = keep_points;
     emtr_preprocessed* made = nullptr;
     if (emtr_preprocess(&view, name, threads, &made) == EMTR_OK)
-      prepared_ = std::shared_ptr<const emtr_preprocessed>(
-          made, [](const emtr_preprocessed* p) { emtr_preprocessed_free(const_cast<emtr_preprocessed*>(p)); });
-    return prepared_;
+      preprocessed_ =
+          std::shared_ptr<const emtr_preprocessed>(made, [](const emtr_preprocessed* p) {
+            emtr_preprocessed_free(const_cast<emtr_preprocessed*>(p));
+          });
+    return preprocessed_;
   }
 
-  void forget() {
-    prepared_.reset();
+  /** \brief Empties the cache. */
+  void reset() {
+    preprocessed_.reset();
     packed_ = std::vector<float>();
   }
 
  private:
+  /** \brief Checks whether the cache is of these coordinates. */
   template <typename PointT>
-  bool isOf(const PointCloud<PointT>& cloud) const {
+  bool holds(const PointCloud<PointT>& cloud) const {
     if (packed_.size() != 3 * cloud.size()) return false;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       const float p[3] = {cloud[i].x, cloud[i].y, cloud[i].z};
-      // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bit by bit, a NaN is itself
+      // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bit by bit, so that a NaN equals
+      // itself
       if (std::memcmp(p, &packed_[3 * i], sizeof p) != 0) return false;
     }
     return true;
@@ -66,7 +75,7 @@ class CachedCloud {
 
   std::vector<float> packed_;
   bool keeps_points_ = false;
-  std::shared_ptr<const emtr_preprocessed> prepared_;
+  std::shared_ptr<const emtr_preprocessed> preprocessed_;
 };
 
 }  // namespace detail

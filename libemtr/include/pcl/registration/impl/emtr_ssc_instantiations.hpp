@@ -5,7 +5,7 @@
 #include <pcl/registration/emtr_ssc.h>
 #include <pcl/registration/emtr_ssc_abi.h>
 
-/** \brief What is compiled into libpcl_emtr: DO(point type, scalar) for each. */
+/** \brief Lists the instantiations in libpcl_emtr: DO(point type, scalar) for each. */
 #define EMTR_SSC_FOR_EACH_INSTANTIATION(DO) \
   DO(pcl::PointXYZ, float)                  \
   DO(pcl::PointXYZ, double)                 \
@@ -19,8 +19,8 @@
   DO(pcl::PointXYZINormal, double)
 
 /* The layout of pcl::Registration, and how it is allocated, depend on how Eigen aligns: -mavx
- * changes both, and C++14 allocates otherwise than C++17. The compiled code serves those who see
- * what it saw; for the others the class is instantiated where it is used. */
+ * changes both, and C++14 allocates in another way than C++17. The compiled code serves programs
+ * that are compiled alike; other programs instantiate the class themselves. */
 #ifndef EIGEN_HAS_CXX17_OVERALIGN /* before Eigen 3.4 */
 #define EIGEN_HAS_CXX17_OVERALIGN 0
 #endif

@@ -10,7 +10,8 @@
 namespace pcl {
 namespace detail {
 
-/** \brief x, y, z of all points, packed; never without storage, even of no points. */
+/** \brief Packs x, y, z of all points. Reserves storage even for no points, so that the address is
+ * never null. */
 template <typename PointT>
 std::vector<float> packPoints(const PointCloud<PointT>& cloud) {
   std::vector<float> packed;
@@ -23,7 +24,7 @@ std::vector<float> packPoints(const PointCloud<PointT>& cloud) {
   return packed;
 }
 
-/** \brief Rotates the normal of a point type that has one. */
+/** \brief Rotates the normal of a point whose type has one. */
 template <typename PointT>
 auto rotateNormal(PointT& point, const Eigen::Matrix4d& transformation, int)
     -> decltype(static_cast<void>(point.normal_x)) {
@@ -35,10 +36,11 @@ auto rotateNormal(PointT& point, const Eigen::Matrix4d& transformation, int)
   point.normal_z = rotated.z();
 }
 
+/** \brief Does nothing for a point type without a normal. */
 template <typename PointT>
 void rotateNormal(PointT&, const Eigen::Matrix4d&, long) {}
 
-/** \brief Moves the finite points, normals included; all other fields and points stay. */
+/** \brief Moves the finite points and rotates their normals; leaves all else as it is. */
 template <typename PointT>
 void transformPoints(PointCloud<PointT>& cloud, const Eigen::Matrix4d& transformation) {
   for (auto& point : cloud) {

@@ -7,7 +7,7 @@
 namespace pcl {
 namespace detail {
 
-/** \brief What is known of the pose belongs to the clouds, not to the method. */
+/** \brief Copies the priors, which belong to the clouds and not to the method. */
 inline void copyPriors(const emtr_settings& from, emtr_settings& to) {
   to.guess_rotation = from.guess_rotation;
   to.guess_translation = from.guess_translation;
@@ -22,7 +22,8 @@ inline void copyPriors(const emtr_settings& from, emtr_settings& to) {
   to.maximum_rotation = from.maximum_rotation;
 }
 
-/** \brief Whether poses must be near a guess; whatever is no number is the library's to refuse. */
+/** \brief Checks whether the priors keep poses near the guess. A NaN counts as a limit, so that the
+ * library reports it. */
 inline bool limitsGuess(const emtr_settings& settings) {
   return !(settings.guess_rotation >= 180 && settings.guess_translation >= 1e12);
 }

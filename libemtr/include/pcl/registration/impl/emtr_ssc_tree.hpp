@@ -10,11 +10,11 @@
 namespace pcl {
 namespace detail {
 
-/** \brief A kd-tree that answers where PCL's stops the process: a query that is not finite has no
- * neighbors, and neither has any query of an index without a finite point.
+/** \brief Answers queries for which PCL's kd-tree stops the process: a query point that is not
+ * finite has no neighbors, and a tree without a finite point gives none.
  *
- * Registration::getFitnessScore() asks for the neighbor of every source point and reads the first
- * distance without looking whether there is one: so it finds an infinite distance there. */
+ * Registration::getFitnessScore() queries the neighbor of every source point and reads the first
+ * distance without checking that it exists. So a query without neighbors gets an infinite one. */
 template <typename PointT>
 class FiniteKdTree : public search::KdTree<PointT> {
  public:

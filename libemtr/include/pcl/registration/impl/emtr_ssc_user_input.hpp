@@ -14,16 +14,16 @@
 namespace pcl {
 namespace detail {
 
-/** \brief Numbers that were computed elsewhere, a row for each point; or none. */
+/** \brief Holds user-provided numbers, one row for each point, or none. */
 struct UserRows {
   std::vector<float> values;
   std::size_t rows = 0;
-  std::size_t width = 0;  ///< numbers of a row
+  std::size_t width = 0;  ///< numbers in a row
   bool given = false;
 
-  /** \brief The rows of \a indices, in their order. */
+  /** \brief Returns the rows of \a indices, in their order. */
   template <typename Index>
-  UserRows selected(const std::vector<Index>& indices) const {
+  UserRows select(const std::vector<Index>& indices) const {
     UserRows out;
     out.given = given;
     out.width = width;
@@ -37,32 +37,34 @@ struct UserRows {
   }
 };
 
-/** \brief Normals and features of one cloud's points. */
+/** \brief Holds user-provided normals and features of one cloud's points. */
 struct UserInput {
   UserRows normals, features;
 
   bool empty() const { return !normals.given && !features.given; }
 
-  /** \brief What is wrong with them for a cloud of \a points, empty when nothing is. */
+  /** \brief Describes why they do not fit a cloud of \a points; empty if they do. */
   std::string mismatch(const std::string& name, std::size_t points) const {
-    const auto check = [&](const UserRows& handed, const std::string& what) {
-      if (!handed.given || handed.rows == points) return std::string();
-      return name + " cloud: " + std::to_string(handed.rows) + " " + what +
+    const auto check = [&](const UserRows& input, const std::string& what) {
+      if (!input.given || input.rows == points) return std::string();
+      return name + " cloud: " + std::to_string(input.rows) + " " + what +
              ", expected one for each of its " + std::to_string(points) + " points";
     };
     const std::string normal = check(normals, "normals");
     return normal.empty() ? check(features, "features") : normal;
   }
 
+  /** \brief Returns the rows of \a indices, in their order. */
   template <typename Index>
-  UserInput selected(const std::vector<Index>& indices) const {
+  UserInput select(const std::vector<Index>& indices) const {
     UserInput out;
-    if (normals.given) out.normals = normals.selected(indices);
-    if (features.given) out.features = features.selected(indices);
+    if (normals.given) out.normals = normals.select(indices);
+    if (features.given) out.features = features.select(indices);
     return out;
   }
 };
 
+/** \brief Packs the components of all normals. */
 inline UserRows packNormals(const PointCloud<Normal>& cloud) {
   UserRows out;
   out.given = true;
@@ -73,10 +75,11 @@ inline UserRows packNormals(const PointCloud<Normal>& cloud) {
   return out;
 }
 
-/** \brief NaN for what the representation calls invalid. */
+/** \brief Packs the vectors of all descriptors; a descriptor that the representation calls invalid
+ * becomes NaN. */
 template <typename FeatureT>
 UserRows packFeatures(const PointCloud<FeatureT>& cloud,
-                        const PointRepresentation<FeatureT>& representation) {
+                      const PointRepresentation<FeatureT>& representation) {
   UserRows out;
   out.given = true;
   out.rows = cloud.size();
@@ -89,24 +92,28 @@ UserRows packFeatures(const PointCloud<FeatureT>& cloud,
   return out;
 }
 
-/** \brief How PCL makes a vector of a descriptor; of a Histogram it would take three numbers. */
+/** \brief Makes PCL's representation of a descriptor. */
 template <typename FeatureT>
 struct DefaultFeature {
   static DefaultPointRepresentation<FeatureT> make() { return {}; }
 
-  /** \brief False for a type of which PCL knows nothing and takes the first three numbers. */
+  /** \brief Checks whether PCL knows the type: of an unknown one it takes the first three numbers.
+   */
   static bool known() {
     const auto numbers = static_cast<std::size_t>(make().getNumberOfDimensions());
     return numbers > 3 || sizeof(FeatureT) == sizeof(float) * numbers;
   }
 };
+
+/** \brief Represents a Histogram by all its numbers; PCL would take the first three. */
 template <int N>
 struct DefaultFeature<Histogram<N>> {
   static CustomPointRepresentation<Histogram<N>> make() { return {N}; }
   static bool known() { return true; }
 };
 
-/** \brief A row number as the library takes it; -1, which it refuses, for one that it cannot. */
+/** \brief Converts an index to a row number of the library; -1, which the library reports, if it
+ * does not fit. */
 template <typename Index>
 std::int32_t rowNumber(Index index) {
   const auto number = static_cast<std::int64_t>(index);
@@ -114,11 +121,11 @@ std::int32_t rowNumber(Index index) {
   return fits ? static_cast<std::int32_t>(number) : -1;
 }
 
-/** \brief Correspondences as the library takes them, their source points renumbered by their places
- * in \a indices (of a cloud of \a points); those of points that are not there are left out. */
+/** \brief Renumbers the source points of correspondences by their places in \a indices, which
+ * select from a cloud of \a points. Leaves out correspondences of points that are not selected. */
 template <typename Index>
-std::vector<std::int32_t> renumbered(const std::vector<std::int32_t>& pairs,
-                                     const std::vector<Index>& indices, std::size_t points) {
+std::vector<std::int32_t> renumber(const std::vector<std::int32_t>& pairs,
+                                   const std::vector<Index>& indices, std::size_t points) {
   constexpr std::int32_t kUnselected = -1;
   std::vector<std::int32_t> place(points, kUnselected), out;
   for (std::size_t i = indices.size(); i-- > 0;)

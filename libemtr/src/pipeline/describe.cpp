@@ -1,0 +1,52 @@
+#include <optional>
+#include <utility>
+
+#include "correspondences/user_correspondences.h"
+#include "pipeline/problem_stages.h"
+#include "ranking/given_viewpoints.h"
+#include "util/error.h"
+
+namespace emtr {
+namespace {
+
+void load_correspondences(const Settings& user, Problem& problem) {
+  if (!user.correspondences)
+    throw Error(EMTR_ERROR_ARGUMENT, "correspondences: null, but correspondence_count is not 0");
+  UserCorrespondences loaded =
+      load_user_correspondences(problem.pair, user.correspondences, user.correspondence_count,
+                                static_cast<std::size_t>(problem.settings.max_correspondences));
+  problem.user_keypoints = std::make_unique<KeypointPair>(std::move(loaded.keypoints));
+  problem.correspondences = std::move(loaded.correspondences);
+  problem.correspondences_found = user.correspondence_count;
+}
+
+}  // namespace
+
+void load_user_input(const Settings& user, Problem& problem) {
+  const bool features = has_user_keypoints(problem.pair);  // refuses bad ones in any case
+  if (user.correspondences || user.correspondence_count)
+    load_correspondences(user, problem);
+  else if (features)
+    problem.user_keypoints = std::make_unique<KeypointPair>(
+        load_user_keypoints(problem.pair, problem.downsampled.leaf_dense));
+}
+
+void describe_clouds(Problem& problem) {
+  const DownsampledClouds& clouds = problem.downsampled;
+  FeatureDefinition definition = feature_definition(problem.settings, clouds.leaf_dense);
+  definition.trust_normals = trust_normals(problem.pair);
+  definition.normals_only = problem.user_keypoints != nullptr;
+  // One rule for both clouds: normals turn to the sensors only where both positions are known.
+  const GivenViewpoints sensors(problem.settings, problem.pair.normalization);
+  const auto described = [&](const Cloud& cloud, const Cloud& normals,
+                             const std::optional<Viewpoint>& sensor) {
+    FeatureDefinition of_cloud = definition;
+    if (sensors.both())
+      for (std::size_t a = 0; a < 3; ++a) of_cloud.viewpoint[a] = static_cast<float>(sensor->at[a]);
+    return describe(cloud, of_cloud, problem.kernels, thread_count(problem.settings), normals);
+  };
+  problem.source_features = described(clouds.source_dense, clouds.source_normals, sensors.source);
+  problem.target_features = described(clouds.target_dense, clouds.target_normals, sensors.target);
+}
+
+}  // namespace emtr

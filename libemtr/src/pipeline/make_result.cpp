@@ -1,0 +1,157 @@
+#include "pipeline/make_result.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace emtr {
+namespace {
+
+void fill_unknown(emtr_result& r) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::fill_n(r.transformation, 16, kUnknown);
+  std::fill_n(r.information, 36, kUnknown);
+  std::fill_n(r.hessian_eigenvalues, 6, kUnknown);
+  std::fill_n(r.hessian_eigenvectors, 36, kUnknown);
+  r.unconstrained_directions = -1;
+  r.reason = EMTR_REASON_INTERRUPTED;
+  r.fitness = r.inlier_ratio_source = r.inlier_ratio_target = r.fitness_gap = kUnknown;
+  r.overlap_source = r.overlap_target = r.inlier_rmse = r.inlier_rmse_plane = kUnknown;
+  r.leaf_fine = kUnknown;
+  r.confidence = r.score = r.surface_fit = r.violation = r.score_gap = kUnknown;
+}
+
+void fill_problem(const Problem& problem, emtr_result& r) {
+  r.seed = problem.settings.seed;
+  r.threads = thread_count(problem.settings);
+  r.kernel = problem.kernels.name;
+  if (const PreprocessedCloud* source = problem.pair.preprocessed_source.get()) {
+    r.points_source = source->count;
+    r.dropped_source = source->dropped;
+  }
+  if (const PreprocessedCloud* target = problem.pair.preprocessed_target.get()) {
+    r.points_target = target->count;
+    r.dropped_target = target->dropped;
+  }
+  const Normalization& normalization = problem.pair.normalization;
+  r.normalization_scale = normalization.scale;
+  std::copy_n(normalization.center_source, 3, r.center_source);
+  std::copy_n(normalization.center_target, 3, r.center_target);
+  const DownsampledClouds& clouds = problem.downsampled;
+  r.sparse_source = clouds.source_sparse.size();
+  r.sparse_target = clouds.target_sparse.size();
+  r.dense_source = clouds.source_dense.size();
+  r.dense_target = clouds.target_dense.size();
+  r.leaf_sparse = clouds.leaf_sparse;
+  r.leaf_dense = clouds.leaf_dense;
+  r.correspondences = problem.correspondences.size();
+  r.correspondences_found = problem.correspondences_found;
+  r.tims = problem.tims.formed();
+  r.tims_pruned = problem.tims.pruned;
+  r.seeds = problem.seeds.size();
+}
+
+void fill_evolution(const Evolution& evolution, Result& r) {
+  r.queries_evaluation = evolution.queries_evaluation;
+  r.queries_switch = evolution.queries_switch;
+  r.queries_complement = evolution.queries_complement;
+  r.alpha = evolution.history_alpha;
+  r.beta = evolution.history_beta;
+  r.iterations = r.alpha.size();
+  r.history_alpha = r.alpha.data();
+  r.history_beta = r.beta.data();
+}
+
+void fill_verdict(const Verdict& verdict, emtr_result& r) {
+  r.registered = verdict.registered;
+  r.reason = verdict.reason;
+  r.fitness = verdict.fitness;
+  r.inlier_ratio_source = verdict.inlier_ratio_source;
+  r.inlier_ratio_target = verdict.inlier_ratio_target;
+  r.fitness_gap = verdict.fitness_gap;
+}
+
+void fill_alternatives(const Confidence& confidence, const Normalization& normalization,
+                       Result& r) {
+  for (const Candidate& other : confidence.alternatives) {
+    r.others.emplace_back();
+    to_matrix(normalization.to_user(other.pose), r.others.back().transformation);
+    r.others.back().score = other.score;
+  }
+  r.alternatives = r.others.data();
+  r.alternative_count = r.others.size();
+}
+
+/// With candidates the confidence decides, and not the fitness.
+void fill_candidates(const Problem& problem, const Solution& found, Result& r) {
+  const Candidate& best = found.candidates->ranked().front();
+  r.candidates = found.candidates->ranked().size();
+  r.used_fallback_search = found.candidates->used_fallback_search();
+  r.score = best.score;
+  r.surface_fit = best.fit.score;
+  r.violation = best.violation;
+  if (!found.confidence) return;  // stopped before the others were ranked
+  r.score_gap = found.confidence->score_gap;
+  r.confidence = found.confidence->probability;
+  fill_alternatives(*found.confidence, problem.pair.normalization, r);
+  if (found.stopped) return;
+  const bool unconstrained = found.refined.unconstrained > 0 && found.refined.succeeded;
+  r.reason = reason(best, *found.confidence, unconstrained, problem.correspondences.size(),
+                    problem.settings);
+  r.registered = r.reason == EMTR_REASON_REGISTERED;
+}
+
+void fill_refinement(const Refined& refined, double scale, emtr_result& r) {
+  r.refined = 1;
+  // A translation is `scale` times as long in the user's unit, and its information that much less.
+  const double unit[3] = {1, scale, scale * scale};
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      r.information[6 * i + j] = refined.information[6 * i + j] / unit[(i >= 3) + (j >= 3)];
+  r.unconstrained_directions = refined.hessian_spectrum.unconstrained;
+  for (int i = 0; i < 6; ++i) {
+    r.hessian_eigenvalues[i] = refined.hessian_spectrum.eigenvalues[i];
+    std::copy_n(refined.hessian_spectrum.eigenvectors[i], 6, r.hessian_eigenvectors + 6 * i);
+  }
+}
+
+void fill_overlap(const Overlap& overlap, double leaf, double scale, emtr_result& r) {
+  r.leaf_fine = leaf;
+  r.overlap_source = overlap.overlap_source;
+  r.overlap_target = overlap.overlap_target;
+  r.inlier_rmse = overlap.rmse * scale;
+  r.inlier_rmse_plane = overlap.plane_rmse * scale;
+}
+
+void fill_seconds(const StageSeconds& seconds, emtr_result& r) {
+  constexpr std::array<double emtr_result::*, kStageCount> fields = {
+      &emtr_result::seconds_normalization, &emtr_result::seconds_downsampling,
+      &emtr_result::seconds_features,      &emtr_result::seconds_matching,
+      &emtr_result::seconds_seeds,         &emtr_result::seconds_evolution,
+      &emtr_result::seconds_candidates,    &emtr_result::seconds_fallback_search,
+      &emtr_result::seconds_refinement,    &emtr_result::seconds_verdict};
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    r.*fields[i] = seconds.values[i];
+    r.seconds_total += seconds.values[i];
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Result> make_result(const Problem& problem, const Solution& found) {
+  auto result = std::make_unique<Result>();
+  const Normalization& normalization = problem.pair.normalization;
+  fill_unknown(*result);
+  fill_problem(problem, *result);
+  fill_evolution(found.evolution, *result);
+  if (found.pose) to_matrix(normalization.to_user(*found.pose), result->transformation);
+  if (found.verdict) fill_verdict(*found.verdict, *result);
+  if (found.candidates && !found.candidates->ranked().empty())
+    fill_candidates(problem, found, *result);
+  if (found.refined.succeeded) fill_refinement(found.refined, normalization.scale, *result);
+  if (found.overlap) fill_overlap(*found.overlap, found.fine->leaf(), normalization.scale, *result);
+  fill_seconds(found.seconds, *result);
+  return result;
+}
+
+}  // namespace emtr

@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "neighbors/kdtree_neighbors.h"
+#include "pipeline/problem_stages.h"
+#include "ranking/given_viewpoints.h"
+
+namespace emtr {
+namespace {
+
+/// Makes the structure that the settings ask for. `leaf`: side of a grid's cells; `queries`: how
+/// many it will have to answer, about.
+std::unique_ptr<Neighbors> make_chosen_neighbors(const Settings& settings, const Cloud& cloud,
+                                                 float radius, float leaf, double queries,
+                                                 const Kernels& kernels) {
+  if (settings.neighbors == NeighborStructure::KdTree) return make_kdtree(cloud, radius);
+  if (settings.neighbors == NeighborStructure::BruteForce) return make_brute_force(cloud, radius);
+  return make_neighbors(cloud, radius, leaf, queries, kernels);
+}
+
+}  // namespace
+
+void make_tasks(Problem& problem) {
+  const Settings& settings = problem.settings;
+  const DownsampledClouds& clouds = problem.downsampled;
+  const auto make = [&](const Cloud& cloud, float radius, float leaf) {
+    // The queries are the points of the other cloud, which are about as many, in about half of the
+    // iterations.
+    const double queries =
+        0.5 * settings.population * settings.iterations * static_cast<double>(cloud.size());
+    return make_chosen_neighbors(settings, cloud, radius, leaf, queries, problem.kernels);
+  };
+  problem.alpha = std::make_unique<TaskAlpha>(clouds, settings, problem.kernels, make);
+  problem.beta = std::make_unique<TaskBeta>(problem.tims, problem.tau, settings, problem.kernels);
+  // The complement reaches far: cells no finer than a share of that keep its structure small.
+  const double reach = settings.complement_scale_start;
+  auto far = make(clouds.target_sparse, static_cast<float>(reach),
+                  static_cast<float>(std::max(1.5 * clouds.leaf_sparse, reach / 5)));
+  problem.complement = std::make_unique<KnowledgeComplement>(
+      clouds.source_sparse, clouds.target_sparse, std::move(far), settings, problem.kernels);
+}
+
+void make_surfaces(Problem& problem) {
+  if (problem.settings.candidates == 0) return;
+  const DownsampledClouds& clouds = problem.downsampled;
+  const GivenViewpoints sensors(problem.settings, problem.pair.normalization);
+  const auto viewpoints = [&](const Surface& cloud, const std::optional<Viewpoint>& sensor) {
+    return sensor ? given_viewpoint(cloud, *sensor, problem.kernels) : Viewpoints{};
+  };
+  Surface source = surface(clouds.source_dense, problem.source_features, clouds.leaf_dense),
+          target = surface(clouds.target_dense, problem.target_features, clouds.leaf_dense);
+  const Viewpoints of_source = viewpoints(source, sensors.source),
+                   of_target = viewpoints(target, sensors.target);
+  problem.surfaces = std::make_unique<SurfacePair>(std::move(source), std::move(target), of_source,
+                                                   of_target, problem.kernels);
+}
+
+}  // namespace emtr

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "pipeline/problem.h"
+
+namespace emtr {
+
+// The steps of make_problem(). Each reads what the ones before it have put into the problem, and
+// fills in its own part.
+
+/// Takes keypoints and correspondences from the user, where there are some. Throws Error when they
+/// cannot be used.
+void load_user_input(const Settings& user, Problem& problem);
+
+/// Computes normals and, unless the user provides keypoints, descriptors of the dense clouds.
+void describe_clouds(Problem& problem);
+
+/// Finds correspondences, unless the user provides them, and forms TIMs of the best.
+void match_clouds(Problem& problem);
+
+/// Makes both tasks and the knowledge complement.
+void make_tasks(Problem& problem);
+
+/// Makes the surfaces on which candidates are ranked, when the settings ask for candidates.
+void make_surfaces(Problem& problem);
+
+/// Finds the poses that consistent correspondences agree on.
+void find_seeds(Problem& problem);
+
+}  // namespace emtr

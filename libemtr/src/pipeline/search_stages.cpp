@@ -1,0 +1,131 @@
+#include "pipeline/search_stages.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "priors/make_prior.h"
+#include "settings/choices.h"
+#include "util/stopwatch.h"
+
+namespace emtr {
+namespace {
+
+/// Returns the pose, or the nearest one that the prior admits.
+Rigid admissible_pose(const Problem& problem, const Rigid& pose) {
+  return problem.prior ? problem.prior->project(pose) : pose;
+}
+
+/// Returns the user's guess, if there is one.
+std::vector<Rigid> guess(const Problem& problem) {
+  if (!problem.settings.has_guess) return {};
+  const Rigid pose = normalized_guess(problem.settings, problem.pair.normalization);
+  return {admissible_pose(problem, pose)};
+}
+
+Starts starts(const Problem& problem, const std::vector<Rigid>& shortlist) {
+  const Settings& settings = problem.settings;
+  // At least half of the swarm stays where chance put it.
+  const auto most =
+      static_cast<std::size_t>(std::min(settings.injected_seeds, settings.population / 2));
+  const auto count = static_cast<std::ptrdiff_t>(std::min(most, shortlist.size()));
+  return {guess(problem), {shortlist.begin(), shortlist.begin() + count}};
+}
+
+void take_best_candidate(const Problem& problem, Solution& found) {
+  const std::vector<Candidate>& ranked = found.candidates->ranked();
+  found.pose = ranked.front().pose;
+  found.confidence = estimate_confidence(ranked, problem.downsampled.source_dense.size(),
+                                         problem.downsampled.target_dense.size());
+}
+
+/// Makes the fine surfaces when first asked for.
+const FineSurfaces& fine(const Problem& problem, Solution& found) {
+  if (!found.fine)
+    found.fine = std::make_unique<FineSurfaces>(
+        fine_surfaces(problem.pair, problem.settings.refine_leaf, problem.kernels));
+  return *found.fine;
+}
+
+}  // namespace
+
+void shortlist_seeds(const Problem& problem, Solution& found) {
+  if (problem.surfaces) {
+    found.candidates = std::make_unique<CandidateSearch>(
+        problem.pair, *problem.surfaces, problem.settings, problem.kernels, problem.prior.get());
+    found.shortlist = found.candidates->shortlist(problem.seeds);
+    return;
+  }
+  std::vector<Rigid> poses;
+  for (const Seed& seed : problem.seeds) poses.push_back(seed.pose);
+  found.shortlist = admissible(poses, problem.prior.get());
+}
+
+void evolve(const Problem& problem, Progress& progress, Solution& found) {
+  found.evolution = evolve(
+      *problem.alpha, *problem.beta, *problem.complement, problem.settings,
+      starts(problem, found.shortlist),
+      [&](int done, double best_alpha, double best_beta) {
+        return progress.iterated(done, best_alpha, best_beta);
+      },
+      problem.prior.get());
+  const Evolution& evolution = found.evolution;
+  if (!evolution.hypotheses.empty()) found.pose = evolution.hypotheses[evolution.best].pose;
+  if (evolution.stopped) throw Cancelled();
+}
+
+void rank_candidates(const Problem& problem, Solution& found) {
+  std::vector<Rigid> poses = guess(problem), swarm;
+  poses.insert(poses.end(), found.shortlist.begin(), found.shortlist.end());
+  for (const Hypothesis& hypothesis : found.evolution.hypotheses) swarm.push_back(hypothesis.pose);
+  found.candidates->add(poses, swarm);
+  take_best_candidate(problem, found);
+}
+
+bool needs_fallback_search(const Problem& problem, const Solution& found) {
+  const Settings& settings = problem.settings;
+  return found.confidence && in_use(settings.fallback_search,
+                                    found.confidence->probability < settings.fallback_confidence);
+}
+
+void search_again(const Problem& problem, Solution& found) {
+  found.candidates->run_fallback_search();
+  take_best_candidate(problem, found);
+}
+
+void refine_pose(const Problem& problem, Solution& found) {
+  found.refined = refine(fine(problem, found), *found.pose, problem.settings, problem.kernels,
+                         problem.prior.get());
+  found.pose = found.refined.pose;
+}
+
+void measure_overlap(const Problem& problem, Solution& found) {
+  const FineSurfaces& surfaces = fine(problem, found);
+  const Overlap overlap = evaluate_overlap(problem.pair, surfaces, *found.pose, problem.kernels);
+  // Without refinement the surfaces need not lie flush where the pose is right.
+  if (found.refined.succeeded && found.confidence)
+    found.confidence->probability =
+        lower_confidence(found.confidence->probability,
+                         surface_mismatch(overlap, problem.pair, surfaces, problem.kernels));
+  found.overlap = overlap;
+}
+
+void take_best_so_far(const Problem& problem, Solution& found) {
+  // Some candidates were ranked before the rest could be; once all are, the pose is theirs.
+  if (!found.confidence && found.candidates && !found.candidates->ranked().empty())
+    found.pose = found.candidates->ranked().front().pose;
+  else if (found.pose)
+    return;
+  else if (!found.shortlist.empty())
+    found.pose = found.shortlist.front();
+  else if (!problem.seeds.empty())
+    found.pose = admissible_pose(problem, problem.seeds.front().pose);
+}
+
+void judge_pose(const Problem& problem, Solution& found) {
+  const Timed timed(found.seconds[Stage::Verdict]);
+  found.evolution.stopped = found.stopped;
+  found.verdict = judge(found.evolution, *found.pose, *problem.alpha,
+                        problem.correspondences.size(), problem.settings);
+}
+
+}  // namespace emtr

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "pipeline/problem.h"
+#include "pipeline/progress.h"
+#include "pipeline/solution.h"
+
+namespace emtr {
+
+// The steps of solve(). Each reads what the ones before it have found, and adds what it finds.
+
+/// Puts the seeds that keep to the prior on the shortlist, the best ones where they can be ranked.
+void shortlist_seeds(const Problem& problem, Solution& found);
+
+/// Evolves both swarms from the guess and the shortlist. Throws Cancelled when it is stopped, with
+/// the evolution so far in `found`.
+void evolve(const Problem& problem, Progress& progress, Solution& found);
+
+/// Refines and ranks the guess, the shortlist and the poses of the swarm.
+void rank_candidates(const Problem& problem, Solution& found);
+
+/// Tells whether the settings ask for a second search, given how sure the first one is.
+bool needs_fallback_search(const Problem& problem, const Solution& found);
+
+/// Searches again with more feature points, and ranks all candidates anew.
+void search_again(const Problem& problem, Solution& found);
+
+/// Refines the best pose on the fine clouds.
+void refine_pose(const Problem& problem, Solution& found);
+
+/// Measures on the fine clouds how much of each cloud lies on the other, and lowers the confidence
+/// where the refined surfaces do not lie flush.
+void measure_overlap(const Problem& problem, Solution& found);
+
+/// Takes the best pose that is known when a stage was stopped, if any is.
+void take_best_so_far(const Problem& problem, Solution& found);
+
+/// Judges the pose by task alpha's fitness. The seconds count as the verdict's.
+void judge_pose(const Problem& problem, Solution& found);
+
+}  // namespace emtr

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "candidates/candidate_search.h"
+#include "evolution/engine.h"
+#include "pipeline/stage_seconds.h"
+#include "refinement/fine_surfaces.h"
+#include "refinement/refine.h"
+#include "verdict/confidence.h"
+#include "verdict/overlap.h"
+#include "verdict/verdict.h"
+
+namespace emtr {
+
+/// The findings of the search so far, also those of a run that was stopped.
+struct Solution {
+  std::optional<Rigid> pose;  ///< the best so far, normalized frame
+
+  std::vector<Rigid> shortlist;                 ///< the best seeds
+  std::unique_ptr<CandidateSearch> candidates;  ///< null when the settings ask for none
+  Evolution evolution;
+  std::optional<Confidence> confidence;  ///< empty until all candidates are ranked
+  std::unique_ptr<FineSurfaces> fine;    ///< null until a stage needs them
+  Refined refined;
+  std::optional<Overlap> overlap;
+  std::optional<Verdict> verdict;  ///< empty when no pose is known
+
+  StageSeconds seconds;
+  bool stopped = false;
+};
+
+}  // namespace emtr

@@ -1,0 +1,60 @@
+#include "pipeline/solve.h"
+
+#include "pipeline/make_result.h"
+#include "pipeline/progress.h"
+#include "pipeline/search_stages.h"
+
+namespace emtr {
+namespace {
+
+/// Runs the stages of the search; Cancelled leaves what they have found by then.
+void run_stages(const Problem& problem, Progress& progress, Solution& found) {
+  progress.enter(Stage::Evolution);
+  shortlist_seeds(problem, found);
+  evolve(problem, progress, found);
+
+  if (found.candidates) {
+    progress.enter(Stage::Candidates);
+    rank_candidates(problem, found);
+  }
+
+  if (needs_fallback_search(problem, found)) {
+    progress.enter(Stage::FallbackSearch);
+    search_again(problem, found);
+  }
+
+  if (problem.settings.refine) {
+    progress.enter(Stage::Refinement);
+    refine_pose(problem, found);
+  }
+
+  progress.enter(Stage::Verdict);
+  measure_overlap(problem, found);
+}
+
+void search(const Problem& problem, CancellationToken& token, Solution& found) {
+  const CancellationScope scope(&token);
+  try {
+    Progress progress(token, problem.settings.iterations, found.seconds);
+    run_stages(problem, progress, found);
+  } catch (const Cancelled&) {
+    found.stopped = true;
+    take_best_so_far(problem, found);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Result> solve(const Problem& problem, CancellationToken& token) {
+  Solution found;
+  found.seconds = problem.seconds;
+  found.stopped = problem.stopped;
+  if (!found.stopped) search(problem, token, found);
+  if (found.pose) judge_pose(problem, found);
+  auto result = make_result(problem, found);
+  if (found.stopped)
+    result->reason = token.late() ? EMTR_REASON_TIME_LIMIT : EMTR_REASON_INTERRUPTED;
+  return result;
+}
+
+}  // namespace emtr

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <emtr/emtr.h>
+
+#include <cstdint>
+
+namespace emtr {
+
+// The settings that are a choice are plain integers in the C struct; the engine compares them with
+// these names only: `settings.fallback_search == When::Always`.
+
+/// When to use what a setting can switch off.
+enum class When : std::int32_t { Off = EMTR_OFF, Auto = EMTR_AUTO, Always = EMTR_ALWAYS };
+
+/// Which structure answers the nearest-neighbor queries; all give the same bits.
+enum class NeighborStructure : std::int32_t {
+  Grid = EMTR_NEIGHBORS_GRID,
+  KdTree = EMTR_NEIGHBORS_KDTREE,
+  BruteForce = EMTR_NEIGHBORS_BRUTE_FORCE
+};
+
+constexpr bool operator==(std::int32_t setting, When when) {
+  return setting == static_cast<std::int32_t>(when);
+}
+
+constexpr bool operator==(std::int32_t setting, NeighborStructure structure) {
+  return setting == static_cast<std::int32_t>(structure);
+}
+
+/// Tells whether to use what a setting can switch off, with Auto where `helps`.
+constexpr bool in_use(std::int32_t setting, bool helps) {
+  return setting == When::Always || (setting == When::Auto && helps);
+}
+
+}  // namespace emtr

@@ -1,0 +1,14 @@
+#include "util/stage.h"
+
+#include <array>
+
+namespace emtr {
+
+const char* stage_name(Stage stage) {
+  static constexpr std::array<const char*, kStageCount> kNames = {
+      "normalization", "downsampling", "features",        "matching",   "seeds",
+      "evolution",     "candidates",   "fallback_search", "refinement", "verdict"};
+  return kNames.at(static_cast<std::size_t>(stage));
+}
+
+}  // namespace emtr

@@ -1,0 +1,76 @@
+// Tests the progress callback: what it is told, and how it stops a run.
+#include <pcl/registration/emtr_ssc.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "support.h"
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Registration = pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ>;
+
+class Progress : public testing::Test {
+ protected:
+  void SetUp() override {
+    reg.setNumberOfThreads(2);
+    reg.setInputSource(source);
+    reg.setInputTarget(target);
+  }
+
+  Cloud::Ptr source = sharedPair().source();
+  Cloud::Ptr target = sharedPair().target();
+  Cloud output;
+  Registration reg;
+};
+
+TEST_F(Progress, ItIsReportedAndChangesNothing) {
+  reg.align(output);
+  const Eigen::Matrix4f first = reg.getFinalTransformation();
+  int iterations = 0;
+  reg.setProgressCallback([&](const emtr_progress& progress) {
+    iterations = std::max(iterations, progress.iteration);
+    return false;
+  });
+  reg.align(output);
+  EXPECT_EQ(iterations, reg.getMaximumIterations());
+  EXPECT_TRUE(sameBits(first, reg.getFinalTransformation()));
+}
+
+TEST_F(Progress, TrueStopsTheRun) {
+  reg.setProgressCallback([](const emtr_progress& progress) { return progress.iteration >= 5; });
+  reg.align(output);
+  EXPECT_FALSE(reg.hasConverged());
+  EXPECT_EQ(reg.getErrorMessage(), "");
+  ASSERT_NE(reg.getResult(), nullptr);
+  EXPECT_EQ(reg.getResult()->reason, EMTR_REASON_INTERRUPTED);
+  EXPECT_EQ(reg.getResult()->iterations, 5u);
+  EXPECT_EQ(reg.getReasonText(), emtr_reason_text(EMTR_REASON_INTERRUPTED));
+}
+
+TEST_F(Progress, StoppedBeforeAnyPoseTheOutputStaysUnmoved) {
+  reg.setProgressCallback([](const emtr_progress&) { return true; });
+  reg.align(output);
+  EXPECT_FALSE(reg.hasConverged());
+  EXPECT_TRUE(allNaN(reg.getFinalTransformation()));
+  ASSERT_EQ(output.size(), source->size());
+  EXPECT_EQ(output[1].x, (*source)[1].x);
+}
+
+TEST_F(Progress, AnExceptionOfTheCallbackComesOutOfAlign) {
+  reg.setProgressCallback([](const emtr_progress& progress) {
+    if (progress.iteration == 3) throw std::runtime_error("enough");
+    return false;
+  });
+  EXPECT_THROW(reg.align(output), std::runtime_error);
+  EXPECT_FALSE(reg.hasConverged());
+  EXPECT_TRUE(allNaN(reg.getFinalTransformation()));
+  EXPECT_NE(reg.getErrorMessage(), "");
+  reg.setProgressCallback({});
+  reg.align(output);
+  EXPECT_TRUE(reg.hasConverged());
+  EXPECT_EQ(reg.getErrorMessage(), "");
+}
+
+}  // namespace

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <emtr/emtr.h>
+
+#include "options/options.h"
+#include "report/json.h"
+
+namespace cli {
+
+/// Adds everything that repeats the run: versions, files, preset, seed, settings, what is known of
+/// the pose, and user-provided data.
+void add_input(Json& out, const Options& options);
+
+}  // namespace cli

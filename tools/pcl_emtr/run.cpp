@@ -1,0 +1,91 @@
+#include "run.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <string>
+#include <vector>
+
+#include "console/messages.h"
+#include "failure.h"
+#include "options/command_line.h"
+#include "read/cloud_path.h"
+#include "read/matrix_file.h"
+#include "registration.h"
+#include "report/residuals.h"
+#include "write/cloud_output.h"
+#include "write/output_files.h"
+#include "write/outputs.h"
+#include "write/residual_field.h"
+
+namespace cli {
+namespace {
+
+/// Reads the small files, and throws on every fault that can be known before the long computation.
+void check_before(Options& options) {
+  require_cloud_file(options.source);
+  require_cloud_file(options.target);
+  if (!options.guess.empty()) {
+    read_matrix(options.guess, options.settings.guess);
+    options.settings.has_guess = 1;
+  }
+  if (!options.correspondences.path.empty()) {
+    options.correspondences = read_correspondences(options.correspondences.path);
+    options.settings.correspondences = options.correspondences.pairs.data();
+    options.settings.correspondence_count = options.correspondences.size();
+  }
+  for (const auto* path : {&options.output, &options.aligned, &options.report})
+    if (!path->empty()) OutputFiles::require_writable(*path);
+  if (options.output.empty() && fcntl(STDOUT_FILENO, F_GETFL) < 0)
+    throw Failure(kInputOutput, "standard output is closed, and there is no -o for the matrix");
+}
+
+/// Makes a cloud and its setting agree on where the sensor stood. A position that the user gave
+/// becomes the cloud's, so that it moves with the cloud; else the file's becomes the setting, if
+/// `from_file`.
+void settle_viewpoint(CloudFile& cloud, bool from_file, std::int32_t& known,
+                      double (&position)[3]) {
+  if (known) {
+    cloud.sensor_origin = Eigen::Vector3d::Map(position);
+    cloud.sensor_known = true;
+  } else if (from_file && cloud.sensor_known) {
+    Eigen::Vector3d::Map(position) = cloud.sensor_origin;
+    known = 1;
+  }
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  auto parsed = parse_command_line(argc, argv);
+  if (!parsed) return kRegistered;
+  Options& options = *parsed;
+  const Messages messages(options.quiet);
+  check_before(options);
+
+  CloudFile source = load_cloud(options.source);
+  messages.loaded(source);
+  if (!options.aligned.empty()) require_writable_as(options.aligned, source);
+  if (options.residuals && !options.aligned.empty()) require_place_for_residuals(source);
+  CloudFile target = load_cloud(options.target);
+  messages.loaded(target);
+  emtr_settings& settings = options.settings;
+  settle_viewpoint(source, options.viewpoints_from_files, settings.has_viewpoint_source,
+                   settings.viewpoint_source);
+  settle_viewpoint(target, options.viewpoints_from_files, settings.has_viewpoint_target,
+                   settings.viewpoint_target);
+
+  const Result result = run_registration(source, target, options);
+  messages.registered(*result, settings);
+  messages.verdict(*result);
+  std::vector<double> residuals;
+  if (options.residuals) residuals = measure_residuals(source, target, options, *result);
+  write_outputs(options, source, target, *result, residuals);
+  if (!options.output.empty()) messages.saved(options.output, "4x4 matrix");
+  if (!options.aligned.empty())
+    messages.saved(options.aligned, std::to_string(source.size()) + " points");
+  if (!options.report.empty()) messages.saved(options.report, "report");
+  return exit_code(*result);
+}
+
+}  // namespace cli

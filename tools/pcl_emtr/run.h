@@ -1,0 +1,9 @@
+#pragma once
+
+namespace cli {
+
+/// Reads the command line and two clouds, registers them, writes the outputs, and returns the exit
+/// code. Throws Failure.
+int run(int argc, char** argv);
+
+}  // namespace cli

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "read/cloud_file.h"
+
+namespace cli {
+
+/// Moves a cloud by a rigid transformation, in place: its points, their directions (normals,
+/// principal curvature), its viewpoints and the sensor's pose. Leaves every other field as it is.
+/// Points that are not finite stay so.
+void move_cloud(CloudFile& cloud, const Eigen::Matrix4d& transformation);
+
+}  // namespace cli

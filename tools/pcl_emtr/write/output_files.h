@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+/// Makes several output files appear together: writes each beside its place first, and renames all
+/// when the last one is complete. Removes whatever was not committed.
+class OutputFiles {
+ public:
+  OutputFiles() = default;
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles& operator=(const OutputFiles&) = delete;
+  ~OutputFiles();
+
+  /// Throws FileFailure unless a file can be written there; leaves nothing behind.
+  static void require_writable(const std::string& path);
+
+  /// Calls `fill` with the path of an empty file to write to. Throws FileFailure.
+  void write(const std::string& path, const std::function<void(const std::string&)>& fill);
+  void write_text(const std::string& path, const std::string& text);
+
+  void commit();
+
+ private:
+  struct Pending {
+    std::string path;  // as the user gave it
+    std::string place;
+    std::string temporary;
+  };
+  std::vector<Pending> pending_;
+};
+
+}  // namespace cli
