@@ -42,13 +42,13 @@ class Camera:
         seen = (points - points.mean(axis=0)) @ self.axes.T
         return bool(np.sum(seen[:, 2] * np.sum(seen[:, :2] ** 2, axis=1)) <= 0)
 
-    def turned(self, degrees: float, up: Floats) -> Camera:
+    def rotated(self, degrees: float, up: Floats) -> Camera:
         """The same view after a walk round the vertical axis ``up`` (3,)."""
         x, y, z = up / np.linalg.norm(up)
         angle = math.radians(degrees)
         cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-        turn = np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
-        return Camera(self.axes @ turn.T)
+        rotation = np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+        return Camera(self.axes @ rotation.T)
 
 
 def best_view(points: Floats, up: Floats, gap: float) -> Camera:
@@ -59,7 +59,7 @@ def best_view(points: Floats, up: Floats, gap: float) -> Camera:
     up = up / np.linalg.norm(up)
     flat = np.cross(up, np.roll(up, 1) + [0.1, 0.2, 0.3])
     start = Camera.towards(flat / np.linalg.norm(flat) + 0.3 * up, up)
-    views = [start.turned(degrees, up) for degrees in range(0, 360, 10)]
+    views = [start.rotated(degrees, up) for degrees in range(0, 360, 10)]
     shares = [camera.visible(points, _cell(gap)) for camera in views]
     # a single layer of points hides as few from behind, so both ends of an axis count together
     best = max(range(18), key=lambda i: shares[i] + shares[i + 18])
@@ -68,7 +68,7 @@ def best_view(points: Floats, up: Floats, gap: float) -> Camera:
 
 def side_view(front: Camera, points: Floats, up: Floats, gap: float) -> tuple[str, Camera]:
     """A second view, 50 degrees to the side that hides fewer points."""
-    sides = {"left": front.turned(-50.0, up), "right": front.turned(50.0, up)}
+    sides = {"left": front.rotated(-50.0, up), "right": front.rotated(50.0, up)}
     return max(sides.items(), key=lambda side: side[1].visible(points, _cell(gap)))
 
 

@@ -55,13 +55,13 @@ def cube() -> np.ndarray:
     return points
 
 
-def turned(points: np.ndarray) -> np.ndarray:
+def rotated(points: np.ndarray) -> np.ndarray:
     return shapes.apply(shapes.random_transformation(np.random.default_rng(5)), points)
 
 
 def twice(make: Callable[[], np.ndarray]) -> Callable[[], tuple[object, object]]:
-    """Two samplings of one shape, one of them turned."""
-    return lambda: (make(), turned(make()))
+    """Two samplings of one shape, one of them rotated."""
+    return lambda: (make(), rotated(make()))
 
 
 def same(make: Callable[[], np.ndarray]) -> Callable[[], tuple[object, object]]:

@@ -176,9 +176,9 @@ def up(points: np.ndarray) -> np.ndarray:
 
 def test_normals_replace_the_estimated_ones(known):
     outwards = up(known.target)
-    turned = up(known.source - known.truth[:3, :3].T @ -known.truth[:3, 3])
+    outwards_of_source = up(known.source - known.truth[:3, :3].T @ -known.truth[:3, 3])
     given = pyemtr.Problem(
-        known.source, known.target, source_normals=turned, target_normals=outwards
+        known.source, known.target, source_normals=outwards_of_source, target_normals=outwards
     )
     lengths = np.linalg.norm(given.target_normals, axis=1)
     np.testing.assert_allclose(lengths, 1, atol=1e-5)
@@ -193,7 +193,7 @@ def test_normals_replace_the_estimated_ones(known):
     result = given.solve()
     assert known.error(result) < 0.05
     clouds = (
-        pyemtr.Cloud(known.source, normals=turned),
+        pyemtr.Cloud(known.source, normals=outwards_of_source),
         pyemtr.Cloud(known.target, normals=outwards.tolist()),
     )
     assert bits(pyemtr.register(*clouds)) == bits(result)
@@ -231,7 +231,7 @@ def test_a_large_preprocessed_cloud_keeps_its_points_when_asked():
     assert np.abs(plain.transformation - truth).max() < 0.02
     kept = pyemtr.Cloud(source, keep_points=True)
     assert bits(pyemtr.register(kept, target, correspondences=pairs, **QUICK)) == bits(plain)
-    with pytest.raises(ValueError, match="cloud: prepared without keep_points"):
+    with pytest.raises(ValueError, match="cloud: preprocessed without keep_points"):
         pyemtr.register(pyemtr.Cloud(source), target, correspondences=pairs, **QUICK)
 
 
