@@ -1,4 +1,4 @@
-"""How the answer stands among the candidates, as a Result tells it."""
+"""The confidence of a result, its score and its alternatives."""
 
 import json
 

@@ -25,7 +25,7 @@ LIBRARY = Path(os.environ.get("EMTR_BUILD_DIR", "build")) / "libemtr" / "libemtr
 
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory) -> dict[str, dict[str, Any]]:
-    """What came of each row, in a process with limits of memory and time."""
+    """Returns the outcome of each row, in a process with limits of memory and time."""
     library = str(LIBRARY.resolve()) if LIBRARY.is_file() else "-"
     done = subprocess.run(
         [sys.executable, "-W", "ignore", "-m", "hostile_child", library],

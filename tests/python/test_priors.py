@@ -1,4 +1,4 @@
-"""What is known of the pose beforehand: kept to, made use of, and refused when it contradicts."""
+"""Priors of the pose: they hold, they are used, and contradictory ones are refused."""
 
 import numpy as np
 import pytest
@@ -102,7 +102,7 @@ def random_priors(rng, which, T, cloud):
     true=st.booleans(),
 )
 def test_every_pose_that_is_given_satisfies_the_priors(seed, which, preset, true):
-    """Whether or not the clouds do."""
+    """The pose obeys the priors whether or not the clouds do."""
     rng = np.random.default_rng(seed)
     source, target, truth = shapes.make_pair(seed % 5, count=1500)
     about = truth if true else shapes.random_transformation(rng)

@@ -2,7 +2,8 @@
 
 Built from tapered capsules, planar wing membranes and a faceted rock, joined smoothly. No
 symmetry anywhere: one wing is spread and one folded, a paw holds an orb, a horn is broken, the
-head looks aside and the tail curls around the rock. Unit: millimeters; z points up, about 108 mm high.
+head looks aside and the tail curls around the rock. Unit: millimeters; z points up; the height
+is about 108 mm.
 """
 
 from __future__ import annotations
