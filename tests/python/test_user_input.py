@@ -231,7 +231,7 @@ def test_a_large_preprocessed_cloud_keeps_its_points_when_asked():
     assert np.abs(plain.transformation - truth).max() < 0.02
     kept = pyemtr.Cloud(source, keep_points=True)
     assert bits(pyemtr.register(kept, target, correspondences=pairs, **QUICK)) == bits(plain)
-    with pytest.raises(ValueError, match="cloud: prepared without keep_points"):
+    with pytest.raises(ValueError, match="cloud: preprocessed without keep_points"):
         pyemtr.register(pyemtr.Cloud(source), target, correspondences=pairs, **QUICK)
 
 
