@@ -16,7 +16,7 @@ struct Surface {
   double leaf = 0;  ///< spacing of the points, above 0
 };
 
-/// Turns each normal to the side of the viewpoint.
+/// Flips each normal that points away from the viewpoint.
 void orient_normals(const Cloud& points, const std::array<float, 3>& viewpoint, Cloud& normals);
 
 /// Returns every `step`-th point with its normal; keeps the leaf.

@@ -276,7 +276,7 @@ void weighted_histograms(const PointsView& list, const std::uint32_t* rows, cons
   Floats<kDescriptorRow - head> rest = {};
   for (std::size_t begin = 0; begin < list.size; begin += kChunk) {
     const std::size_t end = list.size - begin < kChunk ? list.size : begin + kChunk;
-    float weight[kChunk], kept[kChunk + 1];
+    float weight[kChunk], other_weight[kChunk + 1];
     std::uint32_t row[kChunk + 1];
     for (std::size_t i = begin; i < end; i += kNative) {
       const Vector<kNative> d = vector_from<kNative>(list.x + i, list.y + i, list.z + i) - q;
@@ -287,15 +287,15 @@ void weighted_histograms(const PointsView& list, const std::uint32_t* rows, cons
     }
     std::size_t n = 0;
     for (std::size_t i = begin; i < end; ++i) {  // without a branch: half of them are neighbors
-      kept[n] = weight[i - begin];
+      other_weight[n] = weight[i - begin];
       row[n] = rows[i];
-      n += kept[n] != 0.0f;
+      n += other_weight[n] != 0.0f;
     }
     for (std::size_t k = 0; k < n; ++k) {
       const float* histogram = histograms + kDescriptorRow * static_cast<std::size_t>(row[k]);
-      sum = sum + broadcast<head>(kept[k]) * load<head>(histogram);
+      sum = sum + broadcast<head>(other_weight[k]) * load<head>(histogram);
       rest = rest +
-             broadcast<kDescriptorRow - head>(kept[k]) * load<kDescriptorRow - head>(histogram + head);
+             broadcast<kDescriptorRow - head>(other_weight[k]) * load<kDescriptorRow - head>(histogram + head);
     }
   }
   float bins[kDescriptorRow];

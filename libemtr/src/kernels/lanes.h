@@ -50,7 +50,7 @@ struct Ints<N, true> {
   typename Register<N>::Int v;
 };
 
-constexpr std::size_t kWide = 16;  // lanes of those sums that have no candidates to look at
+constexpr std::size_t kWide = 16;  // lanes of those sums that search no candidates
 using Eight = Floats<kLanes>;
 using Sixteen = Floats<kWide>;
 
@@ -166,7 +166,7 @@ EMTR_INLINE Floats<N> root(const Floats<N>& a) {
   }
 }
 
-/// Whether the mask is set in any lane.
+/// Tells whether the mask is set in any lane.
 template <std::size_t N>
 EMTR_INLINE bool any(const Ints<N>& mask) {
   if constexpr (one_register<N>()) {

@@ -14,7 +14,7 @@ class Neighborhood {
   pcl::Indices index;  ///< rows of the cloud
   std::vector<float> squared;
 
-  /// Prepares for the points of one occupied cell.
+  /// Selects the occupied cell whose points find() takes.
   void set_cell(const CellGrid& grid, std::size_t cell, double radius) {
     grid.around(cell, grid.reach(radius), ranges_);
     limit_ = static_cast<float>(radius * radius);

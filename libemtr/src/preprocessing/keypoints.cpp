@@ -12,7 +12,7 @@ namespace emtr {
 namespace {
 
 constexpr std::size_t kLargestDimension = 65536;
-constexpr int kPollShift = 8;  // 256 descriptors of the largest dimension take about 10 ms
+constexpr int kBetweenChecks = 8;  // 2^8 descriptors of the largest dimension take about 10 ms
 
 /// Reads the user's descriptors where they are.
 class DescriptorReader {
@@ -68,7 +68,7 @@ Keypoints read_keypoints(const emtr_cloud& cloud, const CloudReader& reader, con
   std::vector<float> descriptor(out.dimension);
   for (std::size_t block = 0; block < reader.blocks(); ++block)
     reader.each_finite(block, [&](std::size_t i, const double* p) {
-      check_cancelled_each(i, kPollShift);
+      check_cancelled_each(i, kBetweenChecks);
       const std::size_t row = block * CloudReader::kBlock + i;
       if (!descriptors.read(row, descriptor.data())) return;
       float q[3];
@@ -83,7 +83,7 @@ Keypoints read_keypoints(const emtr_cloud& cloud, const CloudReader& reader, con
     select_points(out, one_row_per_voxel(out.points, kBaseLeaf));
   out.descriptors.resize(out.rows.size() * out.dimension);
   for (std::size_t k = 0; k < out.rows.size(); ++k) {
-    check_cancelled_each(k, kPollShift);
+    check_cancelled_each(k, kBetweenChecks);
     descriptors.read(static_cast<std::size_t>(out.rows[k]), &out.descriptors[k * out.dimension]);
   }
   return out;

@@ -22,7 +22,7 @@ bool CancellationToken::tell(const emtr_progress& progress) {
   return stopped() || ask_caller(Clock::now());
 }
 
-void CancellationToken::poll() {
+void CancellationToken::ask_when_due() {
   const Clock::time_point now = Clock::now();
   if (now - last_asked_ >= interval_ && ask_caller(now)) throw Cancelled();
 }
@@ -59,7 +59,7 @@ void check_cancelled() {
   const Current& current = current_on_thread;
   if (!current.token) return;
   if (current.token->stopped()) throw Cancelled();
-  if (current.owner) current.token->poll();
+  if (current.owner) current.token->ask_when_due();
 }
 
 }  // namespace emtr

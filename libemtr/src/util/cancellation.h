@@ -40,7 +40,7 @@ class CancellationToken {
  private:
   friend void check_cancelled();
 
-  void poll();  ///< asks the caller when the interval is over; throws Cancelled
+  void ask_when_due();  ///< asks the caller when the interval is over; throws Cancelled
   bool ask_caller(Clock::time_point now);
 
   const OnProgress on_progress_;

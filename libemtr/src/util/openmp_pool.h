@@ -4,7 +4,7 @@
 
 namespace emtr {
 
-/// What is needed before a parallel region is opened. OpenMP keeps the threads of a region in a
+/// Secures what a parallel region needs before it opens. OpenMP keeps the threads of a region in a
 /// pool, of the calling thread's own in GCC's runtime, until the next region takes them. The pool
 /// is given up before a fork, as its threads are not in the child, which would wait for them.
 class RegionOpening {

@@ -169,7 +169,7 @@ TEST(Matching, DescriptorsOfAnySizeAreComparedInEachKernelAndForAnyThreads) {
   }
 }
 
-/// Of the k-th nearest of a row; squared, in float.
+/// Returns the squared distance, in float, to the k-th nearest of a row.
 float kth(const emtr::Features& a, std::size_t i, const emtr::Features& b, std::size_t m,
           std::size_t k) {
   std::vector<float> all;

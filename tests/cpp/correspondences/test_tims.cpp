@@ -16,7 +16,7 @@ std::vector<emtr::Correspondence> diagonal(std::int32_t n) {
 TEST(Tims, AreAllPairsInOrder) {
   const emtr::Cloud p = emtr_test::uniform_cloud(6, 1), q = emtr_test::uniform_cloud(6, 2);
   const emtr::Tims tims = emtr::form_tims(p, q, diagonal(6), 100);
-  ASSERT_EQ(tims.kept(), 15u);
+  ASSERT_EQ(tims.size(), 15u);
   EXPECT_EQ(tims.pruned, 0u);
   EXPECT_EQ(tims.source.x[0], p.x[1] - p.x[0]);
   EXPECT_EQ(tims.target.z[5], q.z[2] - q.z[1]);

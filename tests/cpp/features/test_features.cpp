@@ -131,20 +131,20 @@ TEST_P(BothBackends, AreTheSameBitsForAnyThreads) {
   }
 }
 
-TEST_P(BothBackends, MirroredAreThoseOfTurnedNormals) {
+TEST_P(BothBackends, MirroredAreThoseOfReversedNormals) {
   const emtr::Cloud cloud = hills(2000);
   const Features above = described(cloud, 0.1, 0.25, 1, {0, 0, 50});
   const Features below = described(cloud, 0.1, 0.25, 1, {0, 0, -50});
-  const Features turned = emtr::mirrored(above);
-  EXPECT_TRUE(same_bits(emtr::mirrored(turned).descriptors, above.descriptors));
+  const Features reversed = emtr::mirrored(above);
+  EXPECT_TRUE(same_bits(emtr::mirrored(reversed).descriptors, above.descriptors));
   std::size_t moved = 0, differ = 0;
   for (std::size_t i = 0; i < above.normals.size(); ++i) {
-    ASSERT_EQ(turned.normals[i], below.normals[i]);
-    ASSERT_EQ(turned.normals[i], -above.normals[i]);
+    ASSERT_EQ(reversed.normals[i], below.normals[i]);
+    ASSERT_EQ(reversed.normals[i], -above.normals[i]);
   }
   for (std::size_t i = 0; i < above.descriptors.size(); ++i) {
-    moved += std::abs(turned.descriptors[i] - below.descriptors[i]) > 1e-3f;
-    differ += std::abs(turned.descriptors[i] - above.descriptors[i]) > 1e-3f;
+    moved += std::abs(reversed.descriptors[i] - below.descriptors[i]) > 1e-3f;
+    differ += std::abs(reversed.descriptors[i] - above.descriptors[i]) > 1e-3f;
   }
   EXPECT_LT(moved, above.descriptors.size() / 500);
   EXPECT_GT(differ, above.descriptors.size() / 10);  // or the test says nothing

@@ -13,7 +13,7 @@ using emtr::FeatureBackend;
 using emtr::FeatureDefinition;
 using emtr::Features;
 using emtr_test::Overlap;
-using emtr_test::agreement;
+using emtr_test::feature_overlap;
 using emtr_test::Dense;
 
 Features described(const Cloud& cloud, FeatureDefinition definition, FeatureBackend backend,
@@ -36,11 +36,11 @@ Cloud rotated(const Cloud& cloud) {
 void expect_overlap(const Cloud& cloud, const FeatureDefinition& definition) {
   const Features pcl = described(cloud, definition, FeatureBackend::Pcl);
   const Features simd = described(cloud, definition, FeatureBackend::Simd);
-  const Overlap both = agreement(pcl, simd);
+  const Overlap both = feature_overlap(pcl, simd);
   const Overlap itself =
-      agreement(pcl, described(rotated(cloud), definition, FeatureBackend::Pcl));
+      feature_overlap(pcl, described(rotated(cloud), definition, FeatureBackend::Pcl));
   const Overlap simd_itself =
-      agreement(simd, described(rotated(cloud), definition, FeatureBackend::Simd));
+      feature_overlap(simd, described(rotated(cloud), definition, FeatureBackend::Simd));
   testing::Test::RecordProperty("moved", std::to_string(both.share()));
   testing::Test::RecordProperty("largest", std::to_string(both.largest));
   EXPECT_EQ(both.only_one, 0u);

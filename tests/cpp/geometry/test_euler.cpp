@@ -51,7 +51,7 @@ TEST(Euler, NearestAliasIsTheSameRotationAndNoFarther) {
     EXPECT_LT((rotation(alias) - rotation(a)).norm(), 1e-12);
     for (int k = 0; k < 3; ++k) EXPECT_LE(std::abs(alias[k] - reference[k]), M_PI + 1e-12);
   }
-  // Just across the seam: without the alias a mean would turn the other way round.
+  // Just across the seam: without the alias a mean would rotate the other way round.
   const double a[3] = {-3.1, 0, 0}, reference[3] = {3.1, 0, 0};
   double alias[3];
   emtr::nearest_alias(a, reference, alias);

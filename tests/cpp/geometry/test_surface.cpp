@@ -27,7 +27,7 @@ TEST(Surface, EveryNthKeepsTheFirstAndTheLeaf) {
   EXPECT_EQ(one.points.z, (std::vector<float>{3}));
 }
 
-TEST(Surface, NormalsTurnToTheViewpoint) {
+TEST(Surface, NormalsPointToTheViewpoint) {
   Surface s = three();
   s.normals.x[2] = s.normals.y[2] = s.normals.z[2] = std::nanf("");
   emtr::orient_normals(s.points, {0, 0, 100}, s.normals);

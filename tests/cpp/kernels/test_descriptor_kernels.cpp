@@ -97,7 +97,7 @@ TEST(DescriptorKernels, LeastDirectionsAreThoseOfTheCovariance) {
   constexpr std::size_t discs = 37;  // not a multiple of any register
   const Cloud axes = unit_vectors(discs, 21), helpers = unit_vectors(discs, 22);
   std::vector<float> moments(emtr::kMoments * discs);
-  Cloud centres;
+  Cloud centers;
   for (std::size_t k = 0; k < discs; ++k) {
     const Double3 n = at(axes, k);
     Double3 u = cross(n, at(helpers, k));
@@ -111,7 +111,7 @@ TEST(DescriptorKernels, LeastDirectionsAreThoseOfTheCovariance) {
                       static_cast<float>(-3 + 0.1 * (a * u[1] + b * v[1] + c * n[1])),
                       static_cast<float>(1 + 0.1 * (a * u[2] + b * v[2] + c * n[2])));
     }
-    emtr_test::push(centres, list.x[0], list.y[0], list.z[0]);
+    emtr_test::push(centers, list.x[0], list.y[0], list.z[0]);
     const float query[3] = {list.x[0], list.y[0], list.z[0]};
     std::vector<float> first(emtr::kMoments), found(emtr::kMoments);
     emtr::kernels_at(0)->moments(list.view(), query, 1, first.data(), 1);
@@ -125,12 +125,12 @@ TEST(DescriptorKernels, LeastDirectionsAreThoseOfTheCovariance) {
   const float viewpoint[3] = {0, 0, 0};
   Cloud first;
   first.resize(discs);
-  emtr::kernels_at(0)->plane_normals(moments.data(), discs, centres.view(), viewpoint,
+  emtr::kernels_at(0)->plane_normals(moments.data(), discs, centers.view(), viewpoint,
                                         first.x.data(), first.y.data(), first.z.data());
   for (std::size_t k = 0; k < discs; ++k) {
     const Double3 n = at(first, k);
     EXPECT_NEAR(dot(n, n), 1, 1e-6);
-    EXPECT_LE(dot(n, at(centres, k)), 1e-6);
+    EXPECT_LE(dot(n, at(centers, k)), 1e-6);
     if (k >= 16) {  // from where on the disc is thin enough for its axis to be the direction
       EXPECT_GT(std::abs(dot(n, at(axes, k))), 0.995) << k;
     }
@@ -150,7 +150,7 @@ TEST(DescriptorKernels, LeastDirectionsAreThoseOfTheCovariance) {
   for (const Kernels* kernel : kernels_here()) {
     Cloud found;
     found.resize(discs);
-    kernel->plane_normals(moments.data(), discs, centres.view(), viewpoint, found.x.data(),
+    kernel->plane_normals(moments.data(), discs, centers.view(), viewpoint, found.x.data(),
                              found.y.data(), found.z.data());
     EXPECT_EQ(found.x, first.x) << kernel->name;
     EXPECT_EQ(found.y, first.y) << kernel->name;

@@ -148,7 +148,7 @@ TEST(Structures, ManyCandidatesMakeTheCellsGrow) {
   EXPECT_EQ(voxels, brute);
 }
 
-TEST(MakeNeighbors, BuildsWhatTheLookUpsPayFor) {
+TEST(MakeNeighbors, BuildsWhatTheQueriesPayFor) {
   const auto grid_is_cheaper = [](const Cloud& cloud, float radius, float leaf, double queries) {
     const emtr::NeighborCosts costs = emtr::estimate_costs(cloud, radius, leaf, queries);
     return costs.candidate_grid < costs.voxel_cells;

@@ -64,15 +64,15 @@ TEST(Handed, OwnFeaturesHandedInGiveTheOwnMatches) {
   ASSERT_GT(own->correspondences.size(), 100u);
   const auto source = packed(own->downsampled.source_dense),
              target = packed(own->downsampled.target_dense);
-  const auto handed = emtr_test::problem_of(
+  const auto provided = emtr_test::problem_of(
       view(source, &own->source_features.descriptors, emtr::kFeatureSize),
       view(target, &own->target_features.descriptors, emtr::kFeatureSize), settings);
-  ASSERT_TRUE(handed->user_keypoints);
-  EXPECT_TRUE(handed->source_features.descriptors.empty());
-  auto found = rows_of(*handed);
+  ASSERT_TRUE(provided->user_keypoints);
+  EXPECT_TRUE(provided->source_features.descriptors.empty());
+  auto found = rows_of(*provided);
   for (auto& [s, t] : found) {
-    s = handed->user_keypoints->source.rows[static_cast<std::size_t>(s)];
-    t = handed->user_keypoints->target.rows[static_cast<std::size_t>(t)];
+    s = provided->user_keypoints->source.rows[static_cast<std::size_t>(s)];
+    t = provided->user_keypoints->target.rows[static_cast<std::size_t>(t)];
   }
   EXPECT_EQ(found, rows_of(*own));
 }
@@ -110,7 +110,7 @@ TEST(Handed, AFewKeypointsAreEnough) {
 TEST(Handed, VeryManyFeaturesAreThinnedToOneADenseLeaf) {
   const KnownPair pair(40000);
   const auto source = codes(pair.source, true, 4), target = codes(pair.target, false, 4);
-  ASSERT_GT(pair.source.size() / 3, emtr::kMostFeatures);
+  ASSERT_GT(pair.source.size() / 3, emtr::kMaximumKeypoints);
   const auto problem = emtr_test::problem_of(
       view(pair.source, &source, 4), view(pair.target, &target, 4), emtr::preset("default"));
   EXPECT_EQ(problem->matched_source().size(), problem->downsampled.source_dense.size());

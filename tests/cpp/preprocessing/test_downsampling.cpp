@@ -15,7 +15,7 @@ double sparse_points(const emtr::DownsampledClouds& d) {
   return static_cast<double>(d.source_sparse.size());
 }
 
-emtr::DownsampledClouds thinned(std::size_t points, const char* setting = "seed", double value = 0) {
+emtr::DownsampledClouds downsampled(std::size_t points, const char* setting = "seed", double value = 0) {
   const emtr_test::Pair pair(1, points);
   emtr::Settings settings = emtr::preset("paper");
   emtr::set(settings, setting, value);
@@ -24,7 +24,7 @@ emtr::DownsampledClouds thinned(std::size_t points, const char* setting = "seed"
 
 TEST(DownsampledClouds, MeetTheCountsWhateverTheSizeOfTheInput) {
   for (const std::size_t points : {12000u, 60000u}) {
-    const auto d = thinned(points);
+    const auto d = downsampled(points);
     EXPECT_NEAR(dense_points(d), 4000, 40);
     EXPECT_NEAR(sparse_points(d), 600, 6);
     EXPECT_GT(d.leaf_sparse, d.leaf_dense);
@@ -32,8 +32,8 @@ TEST(DownsampledClouds, MeetTheCountsWhateverTheSizeOfTheInput) {
 }
 
 TEST(DownsampledClouds, FollowTheSettings) {
-  EXPECT_NEAR(sparse_points(thinned(30000, "sparse_points", 300)), 300, 4);
-  const auto d = thinned(30000, "dense_points", 2000);
+  EXPECT_NEAR(sparse_points(downsampled(30000, "sparse_points", 300)), 300, 4);
+  const auto d = downsampled(30000, "dense_points", 2000);
   EXPECT_NEAR(dense_points(d), 2000, 20);
 }
 

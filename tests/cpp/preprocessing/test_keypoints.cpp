@@ -48,7 +48,7 @@ TEST(Keypoints, AreThoseWithCoordinatesAndAWholeDescriptor) {
   in.features[2 * 11 + 1] = kNone;
   in.features[2 * 12] = std::numeric_limits<float>::infinity();
   const PreprocessedCloud preprocessed(in.cloud, "", 1);
-  const emtr::Keypoints& d = preprocessed.described;
+  const emtr::Keypoints& d = preprocessed.keypoints;
   ASSERT_EQ(d.rows.size(), 97u);
   ASSERT_EQ(d.points.size(), 97u);
   ASSERT_EQ(d.descriptors.size(), 2 * 97u);
@@ -74,21 +74,21 @@ TEST(Keypoints, AreReadInAnyStride) {
   in.cloud.features = reinterpret_cast<const float*>(bytes.data());
   in.cloud.feature_stride = stride;
   const PreprocessedCloud strided(in.cloud, "", 1);
-  EXPECT_EQ(strided.described.descriptors, packed.described.descriptors);
+  EXPECT_EQ(strided.keypoints.descriptors, packed.keypoints.descriptors);
 }
 
 TEST(Keypoints, OfALargeCloudAreThinned) {
-  Input in(emtr::kThinnedAbove + 50000);
-  for (std::size_t i = 0; i < in.points.size() / 3; ++i) in.points[3 * i] *= 0.01f;  // many a cube
+  Input in(emtr::kDownsampledAbove + 50000);
+  for (std::size_t i = 0; i < in.points.size() / 3; ++i) in.points[3 * i] *= 0.01f;  // many in a voxel
   const PreprocessedCloud preprocessed(in.cloud, "", 2);
-  const emtr::Keypoints& d = preprocessed.described;
+  const emtr::Keypoints& d = preprocessed.keypoints;
   EXPECT_LT(d.rows.size(), in.cloud.count - 10000);
   EXPECT_GT(d.rows.size(), 100000u);
   EXPECT_TRUE(std::is_sorted(d.rows.begin(), d.rows.end()));
   for (std::size_t k = 0; k < d.rows.size(); ++k)
     ASSERT_EQ(d.descriptors[2 * k], static_cast<float>(d.rows[k]));
 
-  const emtr::Keypoints fewer = emtr::thinned(d, 0.1f);
+  const emtr::Keypoints fewer = emtr::downsample(d, 0.1f);
   EXPECT_LT(fewer.rows.size(), 1000u);
   ASSERT_EQ(fewer.descriptors.size(), 2 * fewer.rows.size());
   for (std::size_t k = 0; k < fewer.rows.size(); ++k)
@@ -139,8 +139,8 @@ TEST(PreprocessedCloud, NormalsAreMadeOfUnitLengthAndKeptBesideThePoints) {
             "source cloud's normals: stride is 4 bytes, expected 0 or at least 12");
 }
 
-TEST(PreprocessedCloud, NormalsOfALargeCloudAreMeansInItsCubes) {
-  Input in(emtr::kThinnedAbove + 50000);
+TEST(PreprocessedCloud, NormalsOfALargeCloudAreMeansInItsVoxels) {
+  Input in(emtr::kDownsampledAbove + 50000);
   std::vector<float> normals;
   for (std::size_t i = 0; i < in.cloud.count; ++i) {
     in.points[3 * i] *= 0.01f;
@@ -162,7 +162,7 @@ TEST(PreprocessedCloud, NormalsOfALargeCloudAreMeansInItsCubes) {
 }
 
 TEST(PreprocessedCloud, FindsTheRowsOfTheCallersArray) {
-  Input in(emtr::kThinnedAbove + 1000);
+  Input in(emtr::kDownsampledAbove + 1000);
   in.points[3 * 4 + 1] = in.points[3 * 90000] = kNone;
   const auto check = [&](const PreprocessedCloud& preprocessed) {
     EXPECT_EQ(preprocessed.rows(), in.cloud.count);
@@ -180,10 +180,10 @@ TEST(PreprocessedCloud, FindsTheRowsOfTheCallersArray) {
   in.cloud.count = 90000;  // small enough to keep them without being told
   in.cloud.keep_points = 0;
   check(PreprocessedCloud(in.cloud, "source", 1));
-  in.cloud.count = emtr::kThinnedAbove + 1000;
-  const PreprocessedCloud thinned(in.cloud, "source", 1);
+  in.cloud.count = emtr::kDownsampledAbove + 1000;
+  const PreprocessedCloud downsampled(in.cloud, "source", 1);
   float p[3];
-  EXPECT_THROW(thinned.find(0, p), emtr::Error);
+  EXPECT_THROW(downsampled.find(0, p), emtr::Error);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(Normalization, ConvertsPosesThereAndBack) {
   pose.R(1, 0) = 1;
   pose.t[1] = 0.25;
   const emtr::Rigid user = normalization.to_user(pose);
-  // A quarter turn takes the source's centroid (100, 0, 0) to (0, 100, 0).
+  // A rotation by 90 degrees takes the source's centroid (100, 0, 0) to (0, 100, 0).
   EXPECT_DOUBLE_EQ(user.t[0], 0);
   EXPECT_DOUBLE_EQ(user.t[1], 7 * 0.25 - 100);
   EXPECT_DOUBLE_EQ(user.t[2], -30);

@@ -38,8 +38,8 @@ inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Norma
   if (which & (kGuessRotation | kGuessTranslation)) {
     const double degrees = d.uniform(0, 40), away = d.uniform(0, 0.5);
     emtr::Rigid guess;
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(degrees * degree, d.direction()));
-    guess.R = (turn * q).toRotationMatrix();
+    const Eigen::Quaterniond offset(Eigen::AngleAxisd(degrees * degree, d.direction()));
+    guess.R = (offset * q).toRotationMatrix();
     guess.t = inside.t + away * d.direction();
     s.has_guess = 1;
     emtr::to_matrix(normalization.to_user(guess), s.guess);
@@ -48,15 +48,15 @@ inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Norma
   }
   if (which & kAxis) {
     const Eigen::AngleAxisd whole(q);
-    const bool lean = d.uniform(0, 1) < 0.5;
-    const Eigen::Vector3d axis = lean ? d.direction() : whole.axis();
-    const emtr::SwingTwist turn(q, axis);
-    if (turn.tilt > M_PI / 2) return limits_around(inside, normalization, which, d);
+    const bool tilts = d.uniform(0, 1) < 0.5;
+    const Eigen::Vector3d axis = tilts ? d.direction() : whole.axis();
+    const emtr::SwingTwist parts(q, axis);
+    if (parts.tilt > M_PI / 2) return limits_around(inside, normalization, which, d);
     s.has_axis = 1;
     Eigen::Vector3d::Map(s.axis) = std::exp(d.uniform(-5, 5)) * axis;
-    s.axis_tilt = lean ? std::min(90.0, turn.tilt / degree + d.uniform(0, 10)) : 0;
+    s.axis_tilt = tilts ? std::min(90.0, parts.tilt / degree + d.uniform(0, 10)) : 0;
     if (d.uniform(0, 1) < 0.7) {
-      const double angle = std::remainder(turn.angle, 2 * M_PI) / degree;
+      const double angle = std::remainder(parts.angle, 2 * M_PI) / degree;
       s.axis_angle_minimum = angle - d.uniform(0, 100);
       s.axis_angle_maximum = angle + d.uniform(0, 100);
     }

@@ -38,9 +38,9 @@ void box(Settings& s, double low, double high) {
   for (int i = 0; i < 3; ++i) s.translation_minimum[i] = low, s.translation_maximum[i] = high;
 }
 
-void guess(Settings& s, const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) {
+void guess(Settings& s, const Eigen::Vector3d& degrees, const Eigen::Vector3d& translation) {
   s.has_guess = 1;
-  emtr::to_matrix(emtr_test::motion(degrees, shift), s.guess);
+  emtr::to_matrix(emtr_test::motion(degrees, translation), s.guess);
 }
 
 void expect_named(const std::string& message, const std::vector<std::string>& names) {

@@ -29,7 +29,7 @@ struct Case {
 
 double angle_between(const Rigid& a, const Rigid& b) { return emtr::rotation_distance(a.R, b.R); }
 
-/// Of a row-major matrix in the user's unit: what the settings say, worked out anew.
+/// Expects a pose to satisfy the settings, computed anew from the user's matrix.
 void expect_satisfied(const emtr::Settings& s, const emtr::Normalization& normalization, const Rigid& pose) {
   constexpr double degree = M_PI / 180, tiny = 1e-8;
   using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -47,10 +47,10 @@ void expect_satisfied(const emtr::Settings& s, const emtr::Normalization& normal
   if (s.has_axis) {
     const Vector3d a = Vector3d::Map(s.axis).normalized();
     EXPECT_LE(std::atan2(a.cross(R * a).norm(), a.dot(R * a)), s.axis_tilt * degree + tiny);
-    const emtr::SwingTwist turn(Eigen::Quaterniond(R), a);
+    const emtr::SwingTwist parts(Eigen::Quaterniond(R), a);
     const double middle = (s.axis_angle_minimum + s.axis_angle_maximum) / 2 * degree,
                  half = (s.axis_angle_maximum - s.axis_angle_minimum) / 2 * degree;
-    EXPECT_LE(std::abs(std::remainder(turn.angle - middle, 2 * M_PI)), half + tiny);
+    EXPECT_LE(std::abs(std::remainder(parts.angle - middle, 2 * M_PI)), half + tiny);
   }
   if (s.has_translation_bounds) {
     for (int i = 0; i < 3; ++i) {
@@ -121,10 +121,10 @@ TEST(Prior, ATurnAboutAnUprightAxisNearAGuessIsTheNearestThereIs) {
     const Rigid pose = any_pose(d), found = c.prior->project(pose);
     double nearest = HUGE_VAL;
     for (int degree = 0; degree < 3600; ++degree) {
-      Rigid turned;
-      turned.R =
+      Rigid rotated;
+      rotated.R =
           Eigen::AngleAxisd(degree * M_PI / 1800, axis).toRotationMatrix();
-      if (c.prior->admits(turned)) nearest = std::min(nearest, angle_between(turned, pose));
+      if (c.prior->admits(rotated)) nearest = std::min(nearest, angle_between(rotated, pose));
     }
     EXPECT_LE(angle_between(found, pose), nearest + 1e-9);
   }

@@ -25,7 +25,7 @@ struct Overlap {
   }
 };
 
-inline Overlap agreement(const emtr::Features& a, const emtr::Features& b) {
+inline Overlap feature_overlap(const emtr::Features& a, const emtr::Features& b) {
   Overlap out;
   for (std::size_t i = 0; i < a.descriptors.size(); ++i) {
     const float x = a.descriptors[i], y = b.descriptors[i];

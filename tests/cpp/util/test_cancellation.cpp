@@ -89,12 +89,12 @@ TEST(CancellationToken, IsAskedEveryFewMillisecondsOfWorkInEachStage) {
   EXPECT_GE(polls["matching"], described / 64);  // and the points of the grids
   EXPECT_GE(polls["seeds"], matches / 10);       // by match and by seed
   EXPECT_GE(polls["evolution"], particles * static_cast<std::size_t>(settings.iterations));
-  EXPECT_GE(polls["candidates"], 12u * 5u);  // by step of each polish
+  EXPECT_GE(polls["candidates"], 12u * 5u);  // by step of each refinement
   EXPECT_GE(polls["fallback_search"], static_cast<std::size_t>(settings.fallback_points) / 10);
   EXPECT_GE(polls["refinement"], points / 1024);
 }
 
-TEST(CancellationToken, IsAskedWhileWhatWasHandedInIsRead) {
+TEST(CancellationToken, IsAskedWhileUserInputIsRead) {
   const std::size_t points = 300000, dimension = 3;
   const Pair pair(83, points);
   std::vector<float> rows(points * dimension);

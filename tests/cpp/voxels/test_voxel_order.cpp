@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -11,45 +10,39 @@
 #include "voxels/voxel_order.h"
 #include "voxels/voxel_grid.h"
 #include "support/clouds.h"
+#include "util/constants.h"
 
 namespace {
 
 using emtr::Cloud;
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+using emtr::kNone;
 
-std::array<int, 3> cube_of(const Cloud& cloud, std::size_t i, float leaf) {
+std::array<int, 3> voxel_of(const Cloud& cloud, std::size_t i, float leaf) {
   const float inverse = 1.0f / leaf;
   return {static_cast<int>(std::floor(cloud.z[i] * inverse)),
           static_cast<int>(std::floor(cloud.y[i] * inverse)),
           static_cast<int>(std::floor(cloud.x[i] * inverse))};
 }
 
-Cloud picked(const Cloud& cloud, const std::vector<std::uint32_t>& rows) {
-  Cloud out;
-  for (const std::uint32_t row : rows)
-    emtr_test::push(out, cloud.x[row], cloud.y[row], cloud.z[row]);
-  return out;
-}
-
-TEST(Cubes, StandInTheOrderOfTheVoxelGrid) {
+TEST(VoxelOrder, IsTheOrderOfTheVoxelGrid) {
   const Cloud cloud = emtr_test::uniform_cloud(3000, 1);
   for (const float leaf : {0.05f, 0.2f, 0.7f}) {
     // The position as the direction: a mean of normals then tells which points it was made of.
-    const Cloud thinned = emtr::voxel_grid(cloud, leaf);
+    const Cloud downsampled = emtr::voxel_grid(cloud, leaf);
     Cloud normals = cloud;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
-      const auto cube = cube_of(cloud, i, leaf);
-      const double x = cube[2] + 0.25, y = cube[1] + 0.25, z = cube[0] + 0.25,
+      const auto voxel = voxel_of(cloud, i, leaf);
+      const double x = voxel[2] + 0.25, y = voxel[1] + 0.25, z = voxel[0] + 0.25,
                    length = std::sqrt(x * x + y * y + z * z);
       const float n[3] = {static_cast<float>(x / length), static_cast<float>(y / length),
                           static_cast<float>(z / length)};
       normals.set(i, n);
     }
     const Cloud means = emtr::mean_normals(cloud, normals, leaf);
-    ASSERT_EQ(means.size(), thinned.size()) << leaf;
+    ASSERT_EQ(means.size(), downsampled.size()) << leaf;
     for (std::size_t i = 0; i < means.size(); ++i) {
-      const auto cube = cube_of(thinned, i, leaf);
-      const double x = cube[2] + 0.25, y = cube[1] + 0.25, z = cube[0] + 0.25,
+      const auto voxel = voxel_of(downsampled, i, leaf);
+      const double x = voxel[2] + 0.25, y = voxel[1] + 0.25, z = voxel[0] + 0.25,
                    length = std::sqrt(x * x + y * y + z * z);
       EXPECT_NEAR(means.x[i], x / length, 1e-6);
       EXPECT_NEAR(means.y[i], y / length, 1e-6);
@@ -58,7 +51,7 @@ TEST(Cubes, StandInTheOrderOfTheVoxelGrid) {
   }
 }
 
-TEST(Cubes, MeansOfNormalsAreOfUnitLengthAndLeaveOutWhatIsNone) {
+TEST(VoxelOrder, MeansOfNormalsAreOfUnitLengthAndLeaveOutWhatIsNone) {
   Cloud cloud, normals;
   const auto add = [&](float x, float nx, float ny, float nz) {
     emtr_test::push(cloud, x, 0.05f, 0.05f);
@@ -79,40 +72,40 @@ TEST(Cubes, MeansOfNormalsAreOfUnitLengthAndLeaveOutWhatIsNone) {
   EXPECT_TRUE(std::isnan(means.z[2]));  // they cancel out
 }
 
-TEST(Cubes, OneOfEachIsTheNearestToItsCentre) {
+TEST(VoxelOrder, OneRowOfEachIsTheNearestToTheCenter) {
   const Cloud cloud = emtr_test::uniform_cloud(2000, 2);
   const float leaf = 0.3f;
   std::map<std::array<int, 3>, std::pair<double, std::uint32_t>> nearest;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const auto cube = cube_of(cloud, i, leaf);
-    const double off[3] = {cloud.z[i] - (cube[0] + 0.5) * double{leaf},
-                           cloud.y[i] - (cube[1] + 0.5) * double{leaf},
-                           cloud.x[i] - (cube[2] + 0.5) * double{leaf}};
+    const auto voxel = voxel_of(cloud, i, leaf);
+    const double off[3] = {cloud.z[i] - (voxel[0] + 0.5) * double{leaf},
+                           cloud.y[i] - (voxel[1] + 0.5) * double{leaf},
+                           cloud.x[i] - (voxel[2] + 0.5) * double{leaf}};
     const std::pair found{off[0] * off[0] + off[1] * off[1] + off[2] * off[2],
                           static_cast<std::uint32_t>(i)};
-    const auto [at, fresh] = nearest.emplace(cube, found);
+    const auto [at, fresh] = nearest.emplace(voxel, found);
     if (!fresh) at->second = std::min(at->second, found);
   }
   std::vector<std::uint32_t> expected;
-  for (const auto& [cube, found] : nearest) expected.push_back(found.second);
+  for (const auto& [voxel, found] : nearest) expected.push_back(found.second);
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(emtr::one_row_per_voxel(cloud, leaf), expected);
   EXPECT_LT(expected.size(), 600u);
 }
 
-TEST(Cubes, OneOfEachDoesNotDependOnTheOrder) {
+TEST(VoxelOrder, OneRowOfEachDoesNotDependOnTheOrder) {
   const Cloud cloud = emtr_test::uniform_cloud(2000, 3);
   std::vector<std::uint32_t> order(cloud.size());
   std::iota(order.begin(), order.end(), 0u);
   std::shuffle(order.begin(), order.end(), std::mt19937(4));
   std::vector<std::uint32_t> found;
-  for (const std::uint32_t row : emtr::one_row_per_voxel(picked(cloud, order), 0.2f))
+  for (const std::uint32_t row : emtr::one_row_per_voxel(cloud.select(order), 0.2f))
     found.push_back(order[row]);
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, emtr::one_row_per_voxel(cloud, 0.2f));
 }
 
-TEST(Cubes, OfNoPointsThereAreNone) {
+TEST(VoxelOrder, IsEmptyWithoutPoints) {
   EXPECT_TRUE(emtr::one_row_per_voxel(Cloud(), 0.1f).empty());
   EXPECT_EQ(emtr::mean_normals(Cloud(), Cloud(), 0.1f).size(), 0u);
 }
