@@ -199,7 +199,7 @@ ROWS: dict[str, Row] = {
     "three points": Row(of(S[:3], T[:3]), FEW),
     "nine points": Row(of(S[:9], T[:9]), FEW),
     "ten points": Row(of(S[:10], T[:10]), THIN),
-    "twenty points": Row(of(S[:20], T[:20]), DOUBT | {"thinned"}),
+    "twenty points": Row(of(S[:20], T[:20]), DOUBT | {"downsampled"}),
     "fifty points": Row(of(S[:50], T[:50]), DOUBT),
     "one against a million": Row(lambda: (S[:1], RNG.normal(size=(1000000, 3))), FEW),
     "fifty against a million": Row(lambda: (S[:50], RNG.normal(size=(1000000, 3))), DOUBT),

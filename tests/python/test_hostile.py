@@ -60,7 +60,7 @@ def test_verdict_or_error(outcomes, name):
         assert re.search(row.expected.pattern, found["message"]), found
         return
     if "error" in found:  # only where the row says so
-        assert "thinned" in row.expected and "thinned" in found["message"], found
+        assert "downsampled" in row.expected and "downsampled" in found["message"], found
         return
     assert found["reason"] in row.expected, found
     assert found["registered"] == (found["reason"] == "registered")
