@@ -3,18 +3,19 @@
 #include <limits>
 #include <string>
 
-#include "util/error.h"
 #include "correspondences/user_correspondences.h"
 #include "support/known_pair.h"
+#include "util/error.h"
 
 namespace {
 
 using emtr_test::KnownPair;
 
 emtr::UserCorrespondences read(const KnownPair& pair, const std::vector<std::int32_t>& rows,
-                         std::size_t most = 1000) {
-  return emtr::load_user_correspondences(emtr::normalize(pair.source_cloud(), pair.target_cloud(), 1),
-                              rows.data(), rows.size() / 2, most);
+                               std::size_t most = 1000) {
+  return emtr::load_user_correspondences(
+      emtr::normalize(pair.source_cloud(), pair.target_cloud(), 1), rows.data(), rows.size() / 2,
+      most);
 }
 
 std::string refusal(const KnownPair& pair, const std::vector<std::int32_t>& rows) {
