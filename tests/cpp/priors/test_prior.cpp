@@ -33,7 +33,6 @@ double angle_between(const Rigid& a, const Rigid& b) { return emtr::rotation_dis
 void expect_satisfied(const emtr::Settings& s, const emtr::Normalization& normalization,
                       const Rigid& pose) {
   constexpr double degree = M_PI / 180, tiny = 1e-8;
-  using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   const Rigid user = normalization.to_user(pose);
   const Eigen::Matrix3d R = user.R;
   EXPECT_NEAR((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 0, 1e-12);
