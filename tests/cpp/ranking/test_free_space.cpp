@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "geometry/euler.h"
 #include "ranking/free_space.h"
 #include "ranking/surfaces.h"
-#include "geometry/euler.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "util/error.h"
 #include "ranking/given_viewpoints.h"
+#include "util/error.h"
 
 namespace {
 
