@@ -49,8 +49,8 @@ struct Scene {
   Vector sensor_target() const { return {-0.35 * 5 * pair.unit(), 0, 0.94 * 5 * pair.unit()}; }
 
   /// The truth moved on by a rotation vector in degrees and a translation in radii.
-  emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
-    return compose(motion(degrees, shift), truth);
+  emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& translation) const {
+    return compose(motion(degrees, translation), truth);
   }
 
   /// Whether it is the pose that all measures of success ask for.

@@ -43,8 +43,7 @@ TEST(Rigid, KnowsARigidMotion) {
 
 TEST(Rigid, RotationDistanceIsTheAngleAtEverySize) {
   for (const double angle : {1e-9, 1e-4, 0.5, 3.0, 3.14159}) {
-    const Eigen::Matrix3d a =
-        Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized().matrix();
+    const Eigen::Matrix3d a = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized().matrix();
     const Eigen::Matrix3d b =
         a * Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
     EXPECT_NEAR(emtr::rotation_distance(a, b) / angle, 1, 1e-6);

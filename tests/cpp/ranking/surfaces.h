@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "support/clouds.h"
 #include "geometry/rigid.h"
 #include "geometry/surface.h"
+#include "support/clouds.h"
 
 namespace emtr_test {
 

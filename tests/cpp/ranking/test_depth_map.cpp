@@ -3,9 +3,9 @@
 #include <set>
 #include <tuple>
 
+#include "geometry/euler.h"
 #include "ranking/depth_map.h"
 #include "ranking/surfaces.h"
-#include "geometry/euler.h"
 
 namespace {
 

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <vector>
 
-#include "voxels/voxel_grid.h"
 #include "refinement/downsampled_surface.h"
 #include "refinement/shapes.h"
+#include "voxels/voxel_grid.h"
 
 namespace {
 
 using emtr::Cloud;
-using emtr::Surface;
 using emtr::downsample_surface;
+using emtr::Surface;
 using emtr_test::push;
 
 std::vector<std::array<float, 3>> sorted(const Cloud& cloud) {
@@ -97,7 +97,8 @@ TEST(DownsampleSurface, TakesTheNormalsThatAreGiven) {
   const Cloud cloud = emtr_test::sphere(1, 20000, 0.001);
   const double leaf = 0.05;
   const Surface estimated = downsample_surface(cloud, leaf);
-  const Surface surface = downsample_surface(cloud, cloud, leaf);  // of a sphere they are the points
+  const Surface surface =
+      downsample_surface(cloud, cloud, leaf);  // of a sphere they are the points
   EXPECT_EQ(surface.points.x, estimated.points.x);
   EXPECT_EQ(surface.points.y, estimated.points.y);
   EXPECT_EQ(surface.points.z, estimated.points.z);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "refinement/refiner.h"
 #include "refinement/information.h"
+#include "refinement/refiner.h"
 #include "refinement/shapes.h"
 
 namespace {
@@ -73,7 +73,7 @@ TEST_P(Information, IsTheInverseCovarianceOfRepeatedScans) {
     const Ball ball(shape);
     for (std::uint64_t k = 0; k < repeats; ++k) {
       const emtr_test::Refiner refiner(ball.scan(0.35, 100 + k, points, leaf),
-                                         ball.scan(-0.35, 900 + k, points, leaf), settings);
+                                       ball.scan(-0.35, 900 + k, points, leaf), settings);
       emtr::LocalRefinement::Scratch scratch;
       const emtr::LocalRefinementResult out = (*refiner.local_refinement)(
           emtr_test::motion({0.3, -0.3, 0.2}, {0.005, 0, -0.005}), nullptr, scratch);
@@ -105,7 +105,7 @@ TEST(DesignEffect, CountsPairsThatSayTheSame) {
   one_way.both_ways = false;
   const auto effect = [&](const emtr::LocalRefinementSettings& settings) {
     const emtr_test::Refiner refiner(ball.scan(0.35, 1, 12000, 0.03),
-                                       ball.scan(-0.35, 2, 12000, 0.03), settings);
+                                     ball.scan(-0.35, 2, 12000, 0.03), settings);
     emtr::LocalRefinement::Scratch scratch;
     const emtr::LocalRefinementResult out = (*refiner.local_refinement)({}, nullptr, scratch);
     return refiner.local_refinement->design_effect(out, scratch);

@@ -38,12 +38,12 @@ struct Scans {
   Surface target(double leaf) const { return emtr::downsample_surface(pair.target, leaf); }
 
   /// The truth after a small motion on its left.
-  Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
-    const Rigid by = motion(degrees, shift);
+  Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& translation) const {
+    const Rigid by = motion(degrees, translation);
     Rigid out;
     const Eigen::Matrix3d& R = by.R;
     out.R = R * truth.R;
-    out.t = R * truth.t + shift;
+    out.t = R * truth.t + translation;
     return out;
   }
 };

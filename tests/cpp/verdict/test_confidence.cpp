@@ -35,8 +35,8 @@ std::vector<Candidate> ranked(const std::vector<double>& scores) {
   return out;
 }
 
-Candidate at(double degrees, double score, double shift = 0) {
-  return candidate(emtr_test::motion({degrees, 0, 0}, {shift, 0, 0}), score);
+Candidate at(double degrees, double score, double translation = 0) {
+  return candidate(emtr_test::motion({degrees, 0, 0}, {translation, 0, 0}), score);
 }
 
 TEST(Confidence, TheGapIsToTheBestClearlyDifferentCandidate) {

@@ -29,8 +29,7 @@ std::vector<double> by_hand(const Points& points, const emtr::Rigid& pose, const
   std::vector<double> out;
   for (const auto& p : points) {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& q : others)
-      least = std::min(least, (R * p + pose.t - q).norm());
+    for (const auto& q : others) least = std::min(least, (R * p + pose.t - q).norm());
     out.push_back(least);
   }
   return out;
