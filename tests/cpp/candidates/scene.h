@@ -64,8 +64,8 @@ inline std::vector<emtr::Rigid> anywhere(std::size_t n, std::uint64_t seed) {
   Draw draw(seed);
   std::vector<emtr::Rigid> out;
   for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector3d turn = draw.uniform(0, 180) * draw.direction();
-    out.push_back(motion(turn, 0.3 * draw.direction()));
+    const Eigen::Vector3d degrees = draw.uniform(0, 180) * draw.direction();
+    out.push_back(motion(degrees, 0.3 * draw.direction()));
   }
   return out;
 }

@@ -71,8 +71,8 @@ inline emtr::Rigid motion(const Eigen::Vector3d& degrees, const Eigen::Vector3d&
   emtr::Rigid out;
   const double angle = degrees.norm();
   if (angle > 0) {
-    const Eigen::AngleAxisd turn(angle * M_PI / 180, degrees / angle);
-    out.R = turn.toRotationMatrix();
+    const Eigen::AngleAxisd rotation(angle * M_PI / 180, degrees / angle);
+    out.R = rotation.toRotationMatrix();
   }
   out.t = translation;
   return out;

@@ -194,12 +194,12 @@ struct Bumps {
     emtr::LocalRefinement::Scratch scratch;
     return (*refiner.local_refinement)(start, prior, scratch);
   }
-  /// Settings with the axis that the true rotation turns about.
+  /// Settings with the axis that the true rotation is about.
   emtr::Settings upright() const {
     emtr::Settings s = emtr::preset("default");
-    const Eigen::AngleAxisd turn(truth.R);
+    const Eigen::AngleAxisd rotation(truth.R);
     s.has_axis = 1;
-    Eigen::Vector3d::Map(s.axis) = turn.axis();
+    Eigen::Vector3d::Map(s.axis) = rotation.axis();
     return s;
   }
 };

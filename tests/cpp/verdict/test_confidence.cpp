@@ -118,7 +118,7 @@ TEST(Confidence, ConfidenceFallsWithTheViolationAtEqualScore) {
   }
 }
 
-TEST(Confidence, CrossingSurfacesLowerItAndFlushOnesDoNot) {
+TEST(Confidence, MismatchedSurfacesLowerItAndFlushOnesDoNot) {
   for (const double surface_mismatch : {-0.2, 0.0, 0.3, 0.7, std::nan("")})
     EXPECT_EQ(emtr::lower_confidence(0.9, surface_mismatch), 0.9) << surface_mismatch;
   double before = 0.9;
