@@ -61,7 +61,8 @@ void print(const emtr_result& r, const std::vector<double>& residuals) {
   SCALAR(dense_target), SCALAR(correspondences), SCALAR(tims), SCALAR(tims_pruned);
   SCALAR(normalization_scale), SCALAR(leaf_sparse), SCALAR(leaf_dense), SCALAR(iterations);
   SCALAR(confidence), SCALAR(score), SCALAR(surface_fit), SCALAR(violation), SCALAR(score_gap);
-  SCALAR(seeds), SCALAR(candidates), SCALAR(used_fallback_search), SCALAR(refined), SCALAR(unconstrained_directions);
+  SCALAR(seeds), SCALAR(candidates), SCALAR(used_fallback_search), SCALAR(refined),
+      SCALAR(unconstrained_directions);
 #undef SCALAR
   print("transformation", r.transformation, 16);
   print("center_source", r.center_source, 3);

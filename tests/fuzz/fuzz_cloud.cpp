@@ -19,8 +19,8 @@ void preprocess(const emtr_cloud& cloud, const std::string& name) {
     require(preprocessed == nullptr);
     return;
   }
-  const std::unique_ptr<emtr_preprocessed, decltype(&emtr_preprocessed_free)> owned(preprocessed,
-                                                                            emtr_preprocessed_free);
+  const std::unique_ptr<emtr_preprocessed, decltype(&emtr_preprocessed_free)> owned(
+      preprocessed, emtr_preprocessed_free);
   emtr_preprocessed_info info;
   require(accepted(emtr_preprocessed_describe(preprocessed, &info, sizeof info)));
   require(info.points + info.dropped == cloud.count && info.points >= 10);

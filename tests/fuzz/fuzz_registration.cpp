@@ -128,8 +128,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     case 1: {
       const auto a = preprocessed(source.view()), b = preprocessed(target.view());
-      done =
-          accepted(emtr_register_preprocessed(a.get(), b.get(), &settings, Stop::at, &stop, &result));
+      done = accepted(
+          emtr_register_preprocessed(a.get(), b.get(), &settings, Stop::at, &stop, &result));
       break;
     }
     default: {

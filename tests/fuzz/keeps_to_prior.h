@@ -15,7 +15,8 @@ class KeptPrior {
  public:
   KeptPrior(const emtr_settings& settings, const emtr_result& result)
       : s_(settings), center_(Eigen::Vector3d::Map(result.center_source)) {
-    rounding_ = 1e-9 * result.normalization_scale + 1e-12 * (center_.norm() + size(result.center_target));
+    rounding_ =
+        1e-9 * result.normalization_scale + 1e-12 * (center_.norm() + size(result.center_target));
   }
 
   void require_kept(const double (&transformation)[16]) const {

@@ -94,7 +94,9 @@ def read_only() -> np.ndarray:
 
 
 FEW = Refused("ValueError", r"source cloud: \d+ finite points of \d+, expected at least 10")
-THIN = Refused("ValueError", r"(source|target) cloud: downsampled to \d+ points .*expected at least 10")
+THIN = Refused(
+    "ValueError", r"(source|target) cloud: downsampled to \d+ points .*expected at least 10"
+)
 NUMBERS = Refused("TypeError", "source: expected an array of real numbers, got dtype")
 SHAPE = Refused("ValueError", r"source: expected .*\(N, 3\), got \(")
 EQUAL = Refused("ValueError", "source cloud: all points are equal")

@@ -100,7 +100,8 @@ struct BothWays {
 
   BothWays(const DescriptorRows& source_features, const DescriptorRows& target_features,
            std::size_t wanted, const Kernels& kernels, int threads)
-      : source(rows_with_descriptor(source_features)), target(rows_with_descriptor(target_features)) {
+      : source(rows_with_descriptor(source_features)),
+        target(rows_with_descriptor(target_features)) {
     if (source.empty() || target.empty() || wanted == 0) return;
     const std::vector<float> rows = pack(source_features, source);
     const Blocks columns(target_features, target);
@@ -114,10 +115,9 @@ struct BothWays {
         Nearest& mine = found[thread];
         if (mine.n == 0) mine = Nearest(columns.padded(), wanted);
         const std::size_t first = job * rows_per_job;
-        kernels.nearest_descriptors(&rows[first * source_features.dimension],
-                                    std::min(rows_per_job, source.size() - first),
-                                    static_cast<std::int32_t>(first), columns.view(),
-                                    forward.lists(first), mine.lists());
+        kernels.nearest_descriptors(
+            &rows[first * source_features.dimension], std::min(rows_per_job, source.size() - first),
+            static_cast<std::int32_t>(first), columns.view(), forward.lists(first), mine.lists());
       });
     });
     backward = Nearest(columns.padded(), wanted);
@@ -162,8 +162,9 @@ std::vector<Correspondence> match_mutual(const DescriptorRows& source, const Des
 }
 
 std::vector<Correspondence> match_distinctive(const DescriptorRows& source,
-                                           const DescriptorRows& target, int k, std::size_t max_count,
-                                           const Kernels& kernels, int threads) {
+                                              const DescriptorRows& target, int k,
+                                              std::size_t max_count, const Kernels& kernels,
+                                              int threads) {
   const auto wanted = static_cast<std::size_t>(std::max(k, 0));
   const BothWays near(source, target, std::max(wanted, kCrowd), kernels, threads);
   return near.mutual(wanted, max_count, [&](float squared, std::size_t row, std::size_t column) {

@@ -8,8 +8,8 @@
 
 namespace emtr {
 
-/// Translation invariant measurements (TIMs): p_jk = p_k - p_j and q_jk = q_k - q_j over all pairs of
-/// correspondences, so that q_jk = R p_jk but for noise.
+/// Translation invariant measurements (TIMs): p_jk = p_k - p_j and q_jk = q_k - q_j over all pairs
+/// of correspondences, so that q_jk = R p_jk but for noise.
 struct Tims {
   Cloud source, target;
   Cloud ends_source, ends_target;  ///< the correspondences themselves

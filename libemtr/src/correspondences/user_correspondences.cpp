@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "util/error.h"
 #include "util/cancellation.h"
+#include "util/error.h"
 
 namespace emtr {
 namespace {

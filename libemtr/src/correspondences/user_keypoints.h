@@ -17,8 +17,8 @@ constexpr std::size_t kMaximumKeypoints = 20000;
 /// their dimensions differ.
 bool has_user_keypoints(const NormalizedPair& pair);
 
-/// Returns the keypoints of both clouds in the normalized frame. Of more than kMaximumKeypoints in a
-/// cloud it keeps one for each voxel of side `leaf`, see one_row_per_voxel().
+/// Returns the keypoints of both clouds in the normalized frame. Of more than kMaximumKeypoints in
+/// a cloud it keeps one for each voxel of side `leaf`, see one_row_per_voxel().
 KeypointPair load_user_keypoints(const NormalizedPair& pair, double leaf);
 
 }  // namespace emtr

@@ -17,8 +17,8 @@ FeatureDefinition feature_definition(const Settings& settings, double leaf) {
 
 namespace {
 
-Features describe_oriented(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
-                   int threads, const Cloud& normals) {
+Features describe_oriented(const Cloud& cloud, const FeatureDefinition& definition,
+                           const Kernels& kernels, int threads, const Cloud& normals) {
   if (normals.size() && definition.normals_only) {
     Features out;
     for (std::size_t i = 0; i < cloud.size(); ++i)

@@ -41,10 +41,10 @@ struct FeatureDefinition {
 /// Returns the definition that the settings ask for on a cloud downsampled by that leaf.
 FeatureDefinition feature_definition(const Settings& settings, double leaf);
 
-/// Computes normals as pcl::NormalEstimationOMP and descriptors as pcl::FPFHEstimationOMP, the latter
-/// from the points that have a normal. The cloud is finite. The result does not depend on the
-/// kernels or the threads. Uses `normals`, unless empty, instead of estimated ones: one for each
-/// point, NaN where there is none.
+/// Computes normals as pcl::NormalEstimationOMP and descriptors as pcl::FPFHEstimationOMP, the
+/// latter from the points that have a normal. The cloud is finite. The result does not depend on
+/// the kernels or the threads. Uses `normals`, unless empty, instead of estimated ones: one for
+/// each point, NaN where there is none.
 Features describe(const Cloud& cloud, const FeatureDefinition& definition, const Kernels& kernels,
                   int threads, const Cloud& normals = {});
 

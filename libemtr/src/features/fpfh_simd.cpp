@@ -67,13 +67,12 @@ class Description {
                          &moments_[i], n_);
     });
     normals_.resize(n_);
-    kernels_.plane_normals(moments_.data(), n_, grid_.sorted.view(),
-                              definition_.viewpoint.data(), normals_.x.data(), normals_.y.data(),
-                              normals_.z.data());
+    kernels_.plane_normals(moments_.data(), n_, grid_.sorted.view(), definition_.viewpoint.data(),
+                           normals_.x.data(), normals_.y.data(), normals_.z.data());
   }
 
-  /// Writes the normals by the cloud's rows, and moves the points without one far away, so that they
-  /// are no neighbors in the descriptors.
+  /// Writes the normals by the cloud's rows, and moves the points without one far away, so that
+  /// they are no neighbors in the descriptors.
   void write_normals() {
     oriented_ = grid_.sorted;
     for (std::size_t i = 0; i < n_; ++i) {

@@ -39,8 +39,8 @@ Ends make_ends(const PointsView& p, const PointsView& q, const float* R, float* 
   return ends;
 }
 
-/// Returns a lower bound of the squared residuals of the pairs of two blocks, exact to the last bit:
-/// the operations are the same, and rounding keeps the order of their results.
+/// Returns a lower bound of the squared residuals of the pairs of two blocks, exact to the last
+/// bit: the operations are the same, and rounding keeps the order of their results.
 EMTR_INLINE float squared_gap(const Ends& ends, std::size_t i, std::size_t j) {
   float squared[3];
   for (int a = 0; a < 3; ++a) {
@@ -56,7 +56,8 @@ struct Sums {
   double residuals[kWide];
 };
 
-/// Adds the pairs of one end of block i and one of block j; with Same, where i is j, each pair once.
+/// Adds the pairs of one end of block i and one of block j; with Same, where i is j, each pair
+/// once.
 template <bool Same>
 EMTR_INLINE void add_pairs(const Ends& ends, std::size_t i, std::size_t j, float squared_threshold,
                            Sums& sums) {

@@ -16,7 +16,8 @@ void consistent(const PointsView& p, const PointsView& q, std::size_t i, float t
     std::uint64_t word = 0;
     for (std::size_t k = 0; k < 64; k += kWide) {
       const Sixteen d = lengths(p, i, from + k) - lengths(q, i, from + k);
-      const Ints<kWide> close = (d < broadcast<kWide>(threshold)) & (broadcast<kWide>(-threshold) < d);
+      const Ints<kWide> close =
+          (d < broadcast<kWide>(threshold)) & (broadcast<kWide>(-threshold) < d);
       std::int32_t each[kWide];
       store<kWide, Ints>(each, close);
       for (std::size_t l = 0; l < kWide; ++l)

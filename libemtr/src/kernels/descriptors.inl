@@ -1,6 +1,6 @@
 // Computes normals and point feature histograms over lists of neighbors. Included by each
-// instruction set's file. Nothing here calls the mathematics library, whose functions differ between
-// machines.
+// instruction set's file. Nothing here calls the mathematics library, whose functions differ
+// between machines.
 
 #include "kernels/lanes.h"
 
@@ -70,8 +70,8 @@ EMTR_INLINE void rotate(Native& pp, Native& qq, Native& pq, Native& rp, Native& 
   const Native one = broadcast<kNative>(1.0f), two = broadcast<kNative>(2.0f);
   const Native difference = qq - pp, twice = two * pq;
   // tan of the angle; the tiny number makes it 0 where there is nothing to rotate
-  const Native size =
-      magnitude(difference) + root(difference * difference + twice * twice) + broadcast<kNative>(1e-37f);
+  const Native size = magnitude(difference) + root(difference * difference + twice * twice) +
+                      broadcast<kNative>(1e-37f);
   const Native t = flip_signs(twice / size, sign_of(difference));
   const Native c = one / root(t * t + one), s = t * c;
   pp = pp - t * pq;
@@ -125,8 +125,8 @@ EMTR_INLINE Vector<kNative> plane_normal(const float* moments, std::size_t strid
 }
 
 EMTR_INLINE void plane_normals_of(const float* moments, std::size_t stride, const float* x,
-                                     const float* y, const float* z, const float* viewpoint,
-                                     float* nx, float* ny, float* nz) {
+                                  const float* y, const float* z, const float* viewpoint, float* nx,
+                                  float* ny, float* nz) {
   Vector<kNative> n = plane_normal(moments, stride);
   const Vector<kNative> towards =
       vector_of<kNative>(viewpoint[0], viewpoint[1], viewpoint[2]) - vector_from<kNative>(x, y, z);
@@ -138,11 +138,11 @@ EMTR_INLINE void plane_normals_of(const float* moments, std::size_t stride, cons
 }
 
 void plane_normals(const float* moments, std::size_t stride, const PointsView& points,
-                      const float* viewpoint, float* nx, float* ny, float* nz) {
+                   const float* viewpoint, float* nx, float* ny, float* nz) {
   std::size_t i = 0;
   for (; i + kNative <= points.size; i += kNative)
     plane_normals_of(moments + i, stride, points.x + i, points.y + i, points.z + i, viewpoint,
-                        nx + i, ny + i, nz + i);
+                     nx + i, ny + i, nz + i);
   if (i == points.size) return;
   float rest[kMoments][kNative] = {}, point[3][kNative] = {}, normal[3][kNative];
   for (std::size_t l = 0; i + l < points.size; ++l) {
@@ -151,8 +151,8 @@ void plane_normals(const float* moments, std::size_t stride, const PointsView& p
     point[1][l] = points.y[i + l];
     point[2][l] = points.z[i + l];
   }
-  plane_normals_of(rest[0], kNative, point[0], point[1], point[2], viewpoint, normal[0],
-                      normal[1], normal[2]);
+  plane_normals_of(rest[0], kNative, point[0], point[1], point[2], viewpoint, normal[0], normal[1],
+                   normal[2]);
   for (std::size_t l = 0; i + l < points.size; ++l) {
     nx[i + l] = normal[0][l];
     ny[i + l] = normal[1][l];
@@ -283,7 +283,8 @@ void weighted_histograms(const PointsView& list, const std::uint32_t* rows, cons
       const Native squared = dot(d, d);
       const NativeInts other =
           (squared < broadcast<kNative>(squared_radius)) & (broadcast<kNative>(0.0f) < squared);
-      store<kNative, Floats>(weight + (i - begin), masked(broadcast<kNative>(1.0f) / squared, other));
+      store<kNative, Floats>(weight + (i - begin),
+                             masked(broadcast<kNative>(1.0f) / squared, other));
     }
     std::size_t n = 0;
     for (std::size_t i = begin; i < end; ++i) {  // without a branch: half of them are neighbors
@@ -294,8 +295,8 @@ void weighted_histograms(const PointsView& list, const std::uint32_t* rows, cons
     for (std::size_t k = 0; k < n; ++k) {
       const float* histogram = histograms + kDescriptorRow * static_cast<std::size_t>(row[k]);
       sum = sum + broadcast<head>(other_weight[k]) * load<head>(histogram);
-      rest = rest +
-             broadcast<kDescriptorRow - head>(other_weight[k]) * load<kDescriptorRow - head>(histogram + head);
+      rest = rest + broadcast<kDescriptorRow - head>(other_weight[k]) *
+                        load<kDescriptorRow - head>(histogram + head);
     }
   }
   float bins[kDescriptorRow];

@@ -34,8 +34,9 @@ struct GridView {
   const float* blocks;
 };
 
-/// Points sorted by cells (see neighbors/voxel_cells) as bare arrays. The points near the k-th occupied cell are
-/// among those at kLanes places from each of starts[begin[k]] to starts[begin[k + 1]] on.
+/// Points sorted by cells (see neighbors/voxel_cells) as bare arrays. The points near the k-th
+/// occupied cell are among those at kLanes places from each of starts[begin[k]] to starts[begin[k +
+/// 1]] on.
 struct VoxelView {
   CellsView cells;
   const std::uint32_t *begin, *starts;
@@ -145,7 +146,7 @@ struct Kernels {
   /// viewpoint: the direction of the smallest variance. NaN for fewer than three points or where no
   /// variance is clearly the smallest.
   void (*plane_normals)(const float* moments, std::size_t stride, const PointsView& points,
-                           const float* viewpoint, float* nx, float* ny, float* nz);
+                        const float* viewpoint, float* nx, float* ny, float* nz);
 
   /// Writes the simplified point feature histogram of the query among its neighbors, kDescriptorRow
   /// floats.

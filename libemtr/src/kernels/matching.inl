@@ -42,8 +42,8 @@ EMTR_INLINE void enter_all(const Columns& squared, std::size_t row, std::int32_t
   }
 }
 
-/// Compares Number rows with kSide columns and sums over the descriptor in its order. Dimension is a
-/// constant or, where it is not known beforehand, a number.
+/// Compares Number rows with kSide columns and sums over the descriptor in its order. Dimension is
+/// a constant or, where it is not known beforehand, a number.
 template <std::size_t Number, class Dimension>
 EMTR_INLINE void compare(Dimension dimension, const float* rows, std::size_t row,
                          std::int32_t first_row, const float* columns, std::size_t first_column,

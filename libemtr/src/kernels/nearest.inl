@@ -54,7 +54,8 @@ EMTR_INLINE void find_buckets(const GridView& g, const Found& found, Bucket* buc
 }
 
 /// Writes out[k] = squared distance of the k-th query found, at most the limit.
-EMTR_INLINE void query_squared_distances(const GridView& g, const PointsView& q, Found& found, float* out) {
+EMTR_INLINE void query_squared_distances(const GridView& g, const PointsView& q, Found& found,
+                                         float* out) {
   if (found.size == 0) return;
   Bucket buckets[kBatch + kQueriesAtOnce];
   find_buckets(g, found, buckets);
@@ -67,7 +68,8 @@ EMTR_INLINE void query_squared_distances(const GridView& g, const PointsView& q,
     Eight best[kQueriesAtOnce];
     for (std::size_t l = 0; l < kQueriesAtOnce; ++l)
       best[l] = nearest_in(g, buckets[k + l], query_at(q, found.query[k + l]));
-    store<kQueriesAtOnce, Floats>(out + k, minimum(minimum_of_each(best), broadcast<kQueriesAtOnce>(g.cells.limit)));
+    store<kQueriesAtOnce, Floats>(
+        out + k, minimum(minimum_of_each(best), broadcast<kQueriesAtOnce>(g.cells.limit)));
   }
 }
 

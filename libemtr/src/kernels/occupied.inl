@@ -30,8 +30,8 @@ EMTR_INLINE Ints<kWide> cells_of(const CellsView& g, const float* x, const float
   for (int a = 0; a < 3; ++a) {
     const Sixteen where =
         (load<kWide>(query[a]) - broadcast<kWide>(g.origin[a])) * broadcast<kWide>(g.inverse_cell);
-    at[a] = truncated(
-        minimum(maximum(where, broadcast<kWide>(0.0f)), broadcast<kWide>(static_cast<float>(g.size[a] - 1))));
+    at[a] = truncated(minimum(maximum(where, broadcast<kWide>(0.0f)),
+                              broadcast<kWide>(static_cast<float>(g.size[a] - 1))));
   }
   return (at[2] * broadcast<kWide>(g.size[1]) + at[1]) * broadcast<kWide>(g.size[0]) + at[0];
 }

@@ -13,10 +13,10 @@ void transform(const PointsView& p, const float* R, const float* t, float* x, fl
     const Sixteen py = load<kWide>(p.y + i);
     const Sixteen pz = load<kWide>(p.z + i);
     for (std::size_t a = 0; a < 3; ++a)
-      store<kWide, Floats>(out[a] + i,
-                           ((broadcast<kWide>(R[3 * a]) * px + broadcast<kWide>(R[3 * a + 1]) * py) +
-                            broadcast<kWide>(R[3 * a + 2]) * pz) +
-                               broadcast<kWide>(t[a]));
+      store<kWide, Floats>(
+          out[a] + i, ((broadcast<kWide>(R[3 * a]) * px + broadcast<kWide>(R[3 * a + 1]) * py) +
+                       broadcast<kWide>(R[3 * a + 2]) * pz) +
+                          broadcast<kWide>(t[a]));
   }
   for (; i < p.size; ++i) {
     const float px = p.x[i], py = p.y[i], pz = p.z[i];

@@ -1,5 +1,5 @@
-// Finds nearest neighbors among the points of the cells around a query. Included by each instruction
-// set's file.
+// Finds nearest neighbors among the points of the cells around a query. Included by each
+// instruction set's file.
 
 #include "kernels/occupied.inl"
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "util/cancellation.h"
 #include "neighbors/cells.h"
 #include "neighbors/neighbors.h"
+#include "util/cancellation.h"
 
 namespace emtr {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 constexpr double kMaximumCells = 1 << 22;
 constexpr std::size_t kMaximumCandidates = std::size_t{1} << 24;
 constexpr double kMaximumVisits = 1 << 28;  // of points to cells while it is made: a second
-constexpr std::size_t kLine = 16;        // floats of a cache line
+constexpr std::size_t kLine = 16;           // floats of a cache line
 /// Widens squared distances between boxes and points, as the margin widens boxes, so that rounding
 /// leaves out no candidate.
 constexpr float kSlack = 1e-4f;

@@ -12,7 +12,7 @@ constexpr std::int32_t kMaximumAlong = 8192;
 }  // namespace
 
 CellLayout make_cell_layout(const Cloud& cloud, float radius, float border, float cell,
-                         double max_cells) {
+                            double max_cells) {
   CellLayout out = {};
   const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};
   float extent[3], largest = 0;

@@ -18,7 +18,7 @@ struct CellLayout {
 /// Returns the cells of the cloud's bounding box and of a border around it. Enlarges the side from
 /// `cell` until there are at most `max_cells`.
 CellLayout make_cell_layout(const Cloud& cloud, float radius, float border, float cell,
-                         double max_cells);
+                            double max_cells);
 
 /// A bit for each cell that is occupied, and the number of occupied cells before each group.
 class Occupancy {

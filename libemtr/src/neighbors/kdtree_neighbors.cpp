@@ -25,8 +25,8 @@ class KdTreeNeighbors final : public Neighbors {
     }
   }
 
-  /// Compares again all points that are as near but for rounding: the tree returns any of several at
-  /// one distance.
+  /// Compares again all points that are as near but for rounding: the tree returns any of several
+  /// at one distance.
   void nearest(const PointsView& q, std::int32_t* index, float* out) const override {
     pcl::Indices found(1);
     std::vector<float> distance(1);

@@ -13,8 +13,9 @@ class NearestPoint {
   explicit NearestPoint(const Cloud& cloud);
   ~NearestPoint();
 
-  /// Returns the row of the nearest point. Rounding of floats, a share of 1e-6 of the distance or of
-  /// the cloud, may choose another of nearly the same distance. Threads may call it concurrently.
+  /// Returns the row of the nearest point. Rounding of floats, a share of 1e-6 of the distance or
+  /// of the cloud, may choose another of nearly the same distance. Threads may call it
+  /// concurrently.
   std::size_t operator()(const float place[3]) const;
 
  private:

@@ -29,14 +29,15 @@ inline float squared_distance(float dx, float dy, float dz) {
 
 std::unique_ptr<Neighbors> make_brute_force(const Cloud& cloud, float radius);
 
-/// Makes a regular grid whose cells each list every point that can be nearest to some place in them.
-/// Enlarges `cell` where the grid would take more than 2^22 cells or 2^24 candidates (300 MB).
+/// Makes a regular grid whose cells each list every point that can be nearest to some place in
+/// them. Enlarges `cell` where the grid would take more than 2^22 cells or 2^24 candidates (300
+/// MB).
 std::unique_ptr<Neighbors> make_candidate_grid(const Cloud& cloud, float radius, float cell,
                                                const Kernels& kernels);
 
-/// Sorts the points by cells as wide as the radius and searches the 27 cells around a query: quicker
-/// to make than a candidate grid, slower to query. Takes at most 2^26 cells (17 MB), enlarging them
-/// beyond that, and 30 to 130 bytes for each point.
+/// Sorts the points by cells as wide as the radius and searches the 27 cells around a query:
+/// quicker to make than a candidate grid, slower to query. Takes at most 2^26 cells (17 MB),
+/// enlarging them beyond that, and 30 to 130 bytes for each point.
 std::unique_ptr<Neighbors> make_voxel_cells(const Cloud& cloud, float radius,
                                             const Kernels& kernels);
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <functional>
 
+#include "geometry/pcl_cloud.h"
 #include "util/thread_team.h"
 #include "voxels/cell_grid.h"
-#include "geometry/pcl_cloud.h"
 
 namespace emtr {
 namespace {

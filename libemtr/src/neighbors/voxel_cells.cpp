@@ -1,18 +1,18 @@
 #include <algorithm>
 #include <vector>
 
-#include "util/cancellation.h"
 #include "neighbors/cells.h"
 #include "neighbors/neighbors.h"
+#include "util/cancellation.h"
 
 namespace emtr {
 namespace {
 
 constexpr double kMaximumCells = 1 << 26;  // 17 MB; the rest takes 30 to 130 bytes for each point
 
-/// Points sorted by cells as wide as the radius, so that all points near a query lie in the 27 cells
-/// around it: nine rows of three, each one range of places. A cell without a point in any of the 27
-/// is not occupied; the others list where to read the ranges, eight points at a time.
+/// Points sorted by cells as wide as the radius, so that all points near a query lie in the 27
+/// cells around it: nine rows of three, each one range of places. A cell without a point in any of
+/// the 27 is not occupied; the others list where to read the ranges, eight points at a time.
 class VoxelCells final : public Neighbors {
  public:
   VoxelCells(const Cloud& cloud, float radius, const Kernels& kernels) : kernels_(kernels) {
@@ -77,8 +77,7 @@ class VoxelCells final : public Neighbors {
     }
     for (std::size_t k = 2; k < begin.size(); ++k) begin[k] += begin[k - 1];
     index_.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
-      index_[begin[cell[i] + 1]++] = static_cast<std::int32_t>(i);
+    for (std::size_t i = 0; i < n; ++i) index_[begin[cell[i] + 1]++] = static_cast<std::int32_t>(i);
     sorted_ = cloud.select(index_);
     for (auto* axis : {&sorted_.x, &sorted_.y, &sorted_.z}) axis->resize(n + kLanes, kFarAway);
     index_.resize(n + kLanes, -1);
@@ -127,8 +126,9 @@ class VoxelCells final : public Neighbors {
 
   const Kernels& kernels_;
   VoxelView view_{};
-  Occupancy occupied_{0};              // cells with a point in one of the 27 around
-  std::vector<std::uint32_t> begin_;   // where the starts of each of those begin, and one past the last
+  Occupancy occupied_{0};  // cells with a point in one of the 27 around
+  std::vector<std::uint32_t>
+      begin_;  // where the starts of each of those begin, and one past the last
   std::vector<std::uint32_t> starts_;  // places where eight points are read
   Cloud sorted_;                       // the points in their places, and padding
   std::vector<std::int32_t> index_;    // their rows in the cloud

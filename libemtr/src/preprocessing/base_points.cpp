@@ -1,9 +1,9 @@
 #include "preprocessing/base_points.h"
 
-#include "voxels/voxel_order.h"
-#include "voxels/voxel_grid.h"
-#include "util/thread_team.h"
 #include "preprocessing/slab_voxel_grid.h"
+#include "util/thread_team.h"
+#include "voxels/voxel_grid.h"
+#include "voxels/voxel_order.h"
 
 namespace emtr {
 namespace {
@@ -12,8 +12,8 @@ constexpr std::size_t kMaximumCount = 1u << 20;  // for more points the leaf dou
 
 }  // namespace
 
-BasePoints read_all_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
-                      int threads) {
+BasePoints read_all_points(const CloudReader& reader, const NormalReader* normals,
+                           const Extent& extent, int threads) {
   std::vector<std::size_t> first(reader.blocks());
   std::size_t count = 0;
   for (std::size_t block = 0; block < first.size(); ++block) {
@@ -39,8 +39,8 @@ BasePoints read_all_points(const CloudReader& reader, const NormalReader* normal
   return out;
 }
 
-BasePoints read_base_points(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
-                       int threads) {
+BasePoints read_base_points(const CloudReader& reader, const NormalReader* normals,
+                            const Extent& extent, int threads) {
   if (extent.count <= kDownsampledAbove) return read_all_points(reader, normals, extent, threads);
   float leaf = kBaseLeaf;
   BasePoints out = voxel_grid_by_slabs(reader, normals, extent, leaf, threads);

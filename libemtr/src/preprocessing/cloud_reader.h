@@ -65,8 +65,7 @@ class CloudReader {
     const bool finite = read(index, v);
     const double length = std::hypot(v[0], v[1], v[2]);
     for (int k = 0; k < 3; ++k)
-      n[k] = finite && length > 0 ? static_cast<float>(v[k] / length)
-                                  : kNone;
+      n[k] = finite && length > 0 ? static_cast<float>(v[k] / length) : kNone;
   }
 
  private:

@@ -6,19 +6,19 @@
 #include <string>
 
 #include "util/error.h"
-#include "voxels/voxel_order.h"
+#include "util/thread_team.h"
 #include "voxels/voxel_counter.h"
 #include "voxels/voxel_grid.h"
-#include "util/thread_team.h"
+#include "voxels/voxel_order.h"
 
 namespace emtr {
 namespace {
 
 constexpr double kFinestLeaf = 2e-3, kCoarsestLeaf = 1.0;
 
-/// Returns the leaf between `finest` and kCoarsestLeaf whose count of points is nearest to `wanted`,
-/// from a first guess. The count falls with the leaf but for jitter, so it keeps the best leaf that
-/// it met.
+/// Returns the leaf between `finest` and kCoarsestLeaf whose count of points is nearest to
+/// `wanted`, from a first guess. The count falls with the leaf but for jitter, so it keeps the best
+/// leaf that it met.
 double find_leaf(const std::function<std::size_t(float)>& count, double wanted, double finest,
                  double guess) {
   double low = std::log(finest), high = std::log(kCoarsestLeaf);
@@ -60,7 +60,8 @@ double finest_leaf(const NormalizedPair& pair, const Settings& settings) {
   const auto spacing = [&](const PreprocessedCloud& cloud) {
     return cloud.spacing() * (cloud.radius / pair.normalization.scale);
   };
-  const double wider = std::max(spacing(*pair.preprocessed_source), spacing(*pair.preprocessed_target));
+  const double wider =
+      std::max(spacing(*pair.preprocessed_source), spacing(*pair.preprocessed_target));
   return std::clamp(settings.minimum_leaf_spacing * wider, kFinestLeaf, kCoarsestLeaf / 2);
 }
 

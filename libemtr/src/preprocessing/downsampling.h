@@ -5,8 +5,8 @@
 
 namespace emtr {
 
-/// The clouds that the tasks work on: a sparse and a dense pair. One leaf downsamples both clouds of
-/// a pair; it is found so that a count of points is met, whatever the unit and the size of the
+/// The clouds that the tasks work on: a sparse and a dense pair. One leaf downsamples both clouds
+/// of a pair; it is found so that a count of points is met, whatever the unit and the size of the
 /// input.
 struct DownsampledClouds {
   double leaf_sparse = 0, leaf_dense = 0;  ///< normalized frame

@@ -31,7 +31,7 @@ Eigen::Vector3d first_finite(const CloudReader& reader) {
 struct Sum {
   std::size_t count = 0;
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // from the first finite point
-  double farthest = 0;  // largest difference of any coordinate
+  double farthest = 0;                               // largest difference of any coordinate
 };
 
 /// Sums relative to the first finite point, so that large coordinates keep their digits.
@@ -66,7 +66,7 @@ struct Dispersion {
 
 /// Measures the dispersion about the centroid, in a unit in which nothing overflows.
 Dispersion dispersion_about(const Eigen::Vector3d& center, double unit, const CloudReader& reader,
-                    int threads) {
+                            int threads) {
   const double inverse = 1 / unit;
   std::vector<Dispersion> parts(reader.blocks());
   parallel_for(parts.size(), threads, [&](std::size_t block) {

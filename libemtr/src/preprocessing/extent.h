@@ -22,8 +22,8 @@ struct Extent {
   }
 };
 
-/// Measures a cloud in two passes, in double. Throws Error, naming the cloud, when it has fewer than
-/// 10 finite points, all of them on one point or one line, or coordinates too large to square.
+/// Measures a cloud in two passes, in double. Throws Error, naming the cloud, when it has fewer
+/// than 10 finite points, all of them on one point or one line, or coordinates too large to square.
 Extent measure_extent(const CloudReader& reader, const std::string& name, int threads);
 
 }  // namespace emtr

@@ -4,9 +4,9 @@
 #include <limits>
 #include <utility>
 
-#include "voxels/voxel_order.h"
-#include "util/cancellation.h"
 #include "preprocessing/base_points.h"
+#include "util/cancellation.h"
+#include "voxels/voxel_order.h"
 
 namespace emtr {
 namespace {

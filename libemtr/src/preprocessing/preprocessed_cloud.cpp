@@ -52,7 +52,8 @@ PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string&
             ": normals are given, but no finite point has one that is finite and has a length");
   keypoints = read_keypoints(cloud, reader, extent, title_);
   const bool whole = count <= kDownsampledAbove;
-  if (!whole && cloud.keep_points) all_points_ = read_all_points(reader, nullptr, extent, threads).points;
+  if (!whole && cloud.keep_points)
+    all_points_ = read_all_points(reader, nullptr, extent, threads).points;
   if (dropped && (whole || cloud.keep_points)) finite_ = finite_rows(reader);
 }
 

@@ -14,8 +14,8 @@
 
 namespace emtr {
 
-/// All that is known of one cloud before it meets the other, so that it can be cached and registered
-/// with many others. It never changes, so threads may share it.
+/// All that is known of one cloud before it meets the other, so that it can be cached and
+/// registered with many others. It never changes, so threads may share it.
 class PreprocessedCloud {
  public:
   /// Reads the user's memory in passes and keeps no reference to it. Throws Error when the cloud
@@ -32,8 +32,9 @@ class PreprocessedCloud {
   Cloud normals;        ///< of the base points, see BasePoints; empty when the user provided none
   Keypoints keypoints;  ///< points with the user's descriptors
 
-  /// Writes the position of a row of the user's array, (p - center) / radius; returns false when the
-  /// row was dropped. Throws Error when the cloud was downsampled and did not ask to keep its points.
+  /// Writes the position of a row of the user's array, (p - center) / radius; returns false when
+  /// the row was dropped. Throws Error when the cloud was downsampled and did not ask to keep its
+  /// points.
   bool find(std::size_t row, float p[3]) const;
   std::size_t rows() const { return count + dropped; }  ///< of the user's array
 

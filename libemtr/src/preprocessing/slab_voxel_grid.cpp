@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "voxels/voxel_order.h"
+#include "util/thread_team.h"
 #include "voxels/voxel_grid.h"
 #include "voxels/voxel_index.h"
-#include "util/thread_team.h"
+#include "voxels/voxel_order.h"
 
 namespace emtr {
 namespace {
@@ -37,7 +37,7 @@ class Layers {
 };
 
 Block sort_by_layer(const CloudReader& reader, std::size_t number, const Extent& extent,
-             const Layers& layers) {
+                    const Layers& layers) {
   Block block;
   block.places.resize(extent.finite[number]);
   block.begin.assign(layers.size() + 1, 0);
@@ -98,11 +98,11 @@ BasePoints gather(const CloudReader& reader, const NormalReader* normals, const 
 }  // namespace
 
 BasePoints voxel_grid_by_slabs(const CloudReader& reader, const NormalReader* normals,
-                         const Extent& extent, float leaf, int threads) {
+                               const Extent& extent, float leaf, int threads) {
   const Layers layers(leaf);
   std::vector<Block> blocks(reader.blocks());
   parallel_for(blocks.size(), threads,
-              [&](std::size_t i) { blocks[i] = sort_by_layer(reader, i, extent, layers); });
+               [&](std::size_t i) { blocks[i] = sort_by_layer(reader, i, extent, layers); });
 
   const std::vector<std::size_t> cuts = cut_slabs(blocks, layers.size());
   std::vector<BasePoints> slabs(cuts.size() - 1);

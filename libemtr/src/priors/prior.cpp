@@ -18,9 +18,7 @@ constexpr int kSteps = 500;
 /// refinement can find the way to its answer.
 constexpr PoseDistance kReach = {20 * kPi / 180, 0.3};
 
-Rigid rigid(const Quaterniond& q, const Vector3d& t) {
-  return {q.toRotationMatrix(), t};
-}
+Rigid rigid(const Quaterniond& q, const Vector3d& t) { return {q.toRotationMatrix(), t}; }
 
 }  // namespace
 

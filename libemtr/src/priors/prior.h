@@ -52,8 +52,8 @@ class Prior {
 
 using PriorPtr = std::unique_ptr<const Prior>;  ///< null: every pose is admissible
 
-/// Returns the nearest admissible poses of those that are admissible or nearly so; all poses without
-/// a prior.
+/// Returns the nearest admissible poses of those that are admissible or nearly so; all poses
+/// without a prior.
 std::vector<Rigid> admissible(const std::vector<Rigid>& poses, const Prior* prior);
 
 }  // namespace emtr

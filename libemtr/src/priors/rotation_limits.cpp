@@ -29,7 +29,8 @@ Quaterniond nearest(const AxisLimits& limits, const Quaterniond& q) {
   const double offset = limits.angle.offset(parts.angle),
                clamped = std::clamp(offset, -limits.angle.half, limits.angle.half);
   // A full rotation more changes the sign of the first two of a quaternion's parts.
-  const double full_rotations = std::round((limits.angle.middle + offset - parts.angle) / (2 * kPi));
+  const double full_rotations =
+      std::round((limits.angle.middle + offset - parts.angle) / (2 * kPi));
   if (std::fmod(full_rotations, 2) != 0) parts.across = -parts.across;
   parts.angle = limits.angle.middle + clamped;
   const double tilt = 2 * std::atan2(std::sin(parts.tilt / 2),

@@ -8,8 +8,8 @@
 
 namespace emtr {
 
-/// Angles from middle - half to middle + half, radians, modulo a full rotation; all angles when half
-/// is pi.
+/// Angles from middle - half to middle + half, radians, modulo a full rotation; all angles when
+/// half is pi.
 struct Arc {
   double middle = 0, half = kPi;
 
@@ -29,8 +29,8 @@ struct RotationBall {
 };
 
 /// A rotation split into a rotation about an axis (the twist) and then a tilt of that axis (the
-/// swing): with `across` a unit vector perpendicular to it, q = (cos(tilt/2) cos(angle/2), cos(tilt/2) sin(angle/2) axis +
-/// sin(tilt/2) across).
+/// swing): with `across` a unit vector perpendicular to it, q = (cos(tilt/2) cos(angle/2),
+/// cos(tilt/2) sin(angle/2) axis + sin(tilt/2) across).
 struct SwingTwist {
   double angle, tilt;  ///< radians; tilt in [0, pi]
   Eigen::Vector3d across;

@@ -17,7 +17,8 @@ struct TranslationBox {
   Eigen::Vector3d low, high, lever;
 };
 
-/// A set of translations t in the normalized frame; it depends on the rotation R when there is a box.
+/// A set of translations t in the normalized frame; it depends on the rotation R when there is a
+/// box.
 class TranslationLimits {
  public:
   std::optional<TranslationBall> ball;
@@ -28,8 +29,8 @@ class TranslationLimits {
   /// Returns by how much t breaks the limit that it breaks most, radii; 0 inside.
   double excess(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) const;
 
-  /// Returns the nearest t inside; where ball and box have nothing in common at this R, the point of
-  /// the box that is nearest to the ball.
+  /// Returns the nearest t inside; where ball and box have nothing in common at this R, the point
+  /// of the box that is nearest to the ball.
   Eigen::Vector3d nearest(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) const;
 
   /// Returns a rotation nearby at which ball and box meet: one step of alternating projections.

@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/cloud.h"
 #include "correspondences/correspondence.h"
+#include "geometry/cloud.h"
 
 namespace emtr {
 
-/// Tells which correspondences can be correct together: a rigid motion keeps lengths, so two correct
-/// ones have | |p_j - p_i| - |q_j - q_i| | below the noise. Stores one bit for each pair.
+/// Tells which correspondences can be correct together: a rigid motion keeps lengths, so two
+/// correct ones have | |p_j - p_i| - |q_j - q_i| | below the noise. Stores one bit for each pair.
 class Consistency {
  public:
   Consistency(const Cloud& source, const Cloud& target,

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "util/thread_team.h"
 #include "seeds/procrustes.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
@@ -51,7 +51,8 @@ std::vector<std::size_t> find_centers(const Consistency& c, double threshold, st
 /// Makes the seed of a center.
 class SeedFit {
  public:
-  SeedFit(const Consistency& c, double threshold) : c_(c), squared_threshold_(threshold * threshold) {}
+  SeedFit(const Consistency& c, double threshold)
+      : c_(c), squared_threshold_(threshold * threshold) {}
 
   Seed around(std::size_t center) const {
     Procrustes sums;

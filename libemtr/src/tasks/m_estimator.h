@@ -9,7 +9,8 @@ inline float rho(float squared, float inverse_squared_scale) {
   return 1.0f - w * w * w;
 }
 
-/// Returns the weight of a residual in reweighted least squares: (1 - (r/d)^2)^2 for r <= d, else 0.
+/// Returns the weight of a residual in reweighted least squares: (1 - (r/d)^2)^2 for r <= d, else
+/// 0.
 inline double tukey_weight(double squared, double squared_scale) {
   if (squared > squared_scale) return 0;
   const double w = 1 - squared / squared_scale;

@@ -3,8 +3,8 @@
 #include "geometry/transform.h"
 
 namespace emtr {
-TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings, const Kernels& kernels,
-                     const MakeNeighbors& make_neighbors)
+TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings,
+                     const Kernels& kernels, const MakeNeighbors& make_neighbors)
     : downsampled_(downsampled),
       kernels_(kernels),
       scale_sparse_(settings.scale_sparse * downsampled.leaf_sparse),
@@ -37,7 +37,8 @@ double TaskAlpha::sum(const Cloud& points, const Rigid& pose, const Neighbors& n
 double TaskAlpha::evaluate(emtr_stage stage, const Rigid& pose, Scratch& scratch) const {
   if (stage == EMTR_STAGE_SPARSE)
     return sum(downsampled_.source_sparse, pose, *target_sparse_, scale_sparse_, scratch);
-  const double forward = sum(downsampled_.source_dense, pose, *target_dense_, scale_dense_, scratch);
+  const double forward =
+      sum(downsampled_.source_dense, pose, *target_dense_, scale_dense_, scratch);
   return forward +
          sum(downsampled_.target_dense, pose.inverse(), *source_dense_, scale_dense_, scratch);
 }

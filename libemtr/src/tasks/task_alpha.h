@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "preprocessing/downsampling.h"
 #include "neighbors/neighbors.h"
+#include "preprocessing/downsampling.h"
 
 namespace emtr {
 
@@ -41,8 +41,8 @@ class TaskAlpha {
     return stage == EMTR_STAGE_DENSE ? scale_dense_ : scale_sparse_;
   }
 
-  /// Squared distances at a pose, cut at c^2, and the sum of their rho: from the dense source points
-  /// to the target, or from the dense target points to the source. They serve the verdict.
+  /// Squared distances at a pose, cut at c^2, and the sum of their rho: from the dense source
+  /// points to the target, or from the dense target points to the source. They serve the verdict.
   struct Residuals {
     std::vector<float> squared;
     double rho_sum;

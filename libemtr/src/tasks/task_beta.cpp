@@ -13,7 +13,7 @@ using Rows = std::vector<std::size_t>;
 /// Orders the rows so that whole blocks lie close together in both clouds: halves them across the
 /// longest side of their box, recursively.
 void cluster(const std::vector<const std::vector<float>*>& axes, Rows::iterator begin,
-            Rows::iterator end) {
+             Rows::iterator end) {
   constexpr std::ptrdiff_t block = 16;
   if (end - begin <= block) return;
   const std::vector<float>* longest = nullptr;

@@ -53,12 +53,12 @@ class CancellationToken {
   bool late_ = false;
 };
 
-/// Makes a token current on this thread, so that the inner loops need not pass it down through every
-/// call, and a run inside the callback of another has its own.
+/// Makes a token current on this thread, so that the inner loops need not pass it down through
+/// every call, and a run inside the callback of another has its own.
 class CancellationScope {
  public:
-  /// Lets check_cancelled() on this thread use `token` until the scope ends; none for null. Only the
-  /// owner's thread asks the caller.
+  /// Lets check_cancelled() on this thread use `token` until the scope ends; none for null. Only
+  /// the owner's thread asks the caller.
   explicit CancellationScope(CancellationToken* token, bool owner = true);
   ~CancellationScope();
   CancellationScope(const CancellationScope&) = delete;

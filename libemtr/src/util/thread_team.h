@@ -60,8 +60,9 @@ class ThreadTeam {
 /// out.
 template <class Job>
 void parallel_for(std::size_t n, int threads, const Job& job) {
-  ThreadTeam::with(n > 1 ? threads : 1,
-             [&](ThreadTeam& team) { team.parallel(n, [&](std::size_t i, std::size_t) { job(i); }); });
+  ThreadTeam::with(n > 1 ? threads : 1, [&](ThreadTeam& team) {
+    team.parallel(n, [&](std::size_t i, std::size_t) { job(i); });
+  });
 }
 
 }  // namespace emtr

@@ -6,7 +6,7 @@
 namespace emtr {
 namespace {
 
-constexpr double kCellsPerPoint = 16;  // more would cost memory and time for empty space
+constexpr double kCellsPerPoint = 16;   // more would cost memory and time for empty space
 constexpr double kMinimumCells = 4096;  // allowed for any cloud
 // Distances are computed in float: a point may seem nearer than it is by this share.
 constexpr double kRounding = 1e-6;

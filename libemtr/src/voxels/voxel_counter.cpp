@@ -25,9 +25,12 @@ VoxelCounter::VoxelCounter(const Cloud& cloud) : cloud_(cloud) {
 
 std::size_t VoxelCounter::operator()(float leaf) {
   const float inverse = 1.0f / leaf;
-  const int low_x = voxel_index(x_.low, inverse), size_x = voxel_index(x_.high, inverse) - low_x + 1;
-  const int low_y = voxel_index(y_.low, inverse), size_y = voxel_index(y_.high, inverse) - low_y + 1;
-  const int low_z = voxel_index(z_.low, inverse), size_z = voxel_index(z_.high, inverse) - low_z + 1;
+  const int low_x = voxel_index(x_.low, inverse),
+            size_x = voxel_index(x_.high, inverse) - low_x + 1;
+  const int low_y = voxel_index(y_.low, inverse),
+            size_y = voxel_index(y_.high, inverse) - low_y + 1;
+  const int low_z = voxel_index(z_.low, inverse),
+            size_z = voxel_index(z_.high, inverse) - low_z + 1;
   const auto voxels = static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y) *
                       static_cast<std::size_t>(size_z);
   occupied_.assign(voxels / 64 + 1, 0);
@@ -39,7 +42,8 @@ std::size_t VoxelCounter::operator()(float leaf) {
     const std::size_t n = std::min(batch, cloud_.size() - first);
     const float *x = &cloud_.x[first], *y = &cloud_.y[first], *z = &cloud_.z[first];
     for (std::size_t i = 0; i < n; ++i) {
-      const int column = (voxel_index(z[i], inverse) - low_z) * size_y + (voxel_index(y[i], inverse) - low_y);
+      const int column =
+          (voxel_index(z[i], inverse) - low_z) * size_y + (voxel_index(y[i], inverse) - low_y);
       keys[i] = static_cast<std::uint32_t>(column * size_x + (voxel_index(x[i], inverse) - low_x));
     }
     for (std::size_t i = 0; i < n; ++i) occupied_[keys[i] / 64] |= std::uint64_t{1} << keys[i] % 64;

@@ -218,7 +218,8 @@ TEST(Matching, IdenticalDescriptorsStandOutLeast) {
   const auto all = emtr::match_distinctive(a, a, 1, 1000, emtr::select_kernels(), 1);
   ASSERT_EQ(all.size(), 5u);
   EXPECT_EQ(all.back().source, 0);  // one of twenty-one
-  EXPECT_TRUE(emtr::match_distinctive(a, emtr::Features{}, 3, 10, emtr::select_kernels(), 1).empty());
+  EXPECT_TRUE(
+      emtr::match_distinctive(a, emtr::Features{}, 3, 10, emtr::select_kernels(), 1).empty());
 }
 
 TEST(Matching, OfEqualDistancesTheSmallestRowIsTheNearer) {

@@ -3,18 +3,19 @@
 #include <limits>
 #include <string>
 
-#include "util/error.h"
 #include "correspondences/user_correspondences.h"
 #include "support/known_pair.h"
+#include "util/error.h"
 
 namespace {
 
 using emtr_test::KnownPair;
 
 emtr::UserCorrespondences read(const KnownPair& pair, const std::vector<std::int32_t>& rows,
-                         std::size_t most = 1000) {
-  return emtr::load_user_correspondences(emtr::normalize(pair.source_cloud(), pair.target_cloud(), 1),
-                              rows.data(), rows.size() / 2, most);
+                               std::size_t most = 1000) {
+  return emtr::load_user_correspondences(
+      emtr::normalize(pair.source_cloud(), pair.target_cloud(), 1), rows.data(), rows.size() / 2,
+      most);
 }
 
 std::string refusal(const KnownPair& pair, const std::vector<std::int32_t>& rows) {
@@ -32,23 +33,23 @@ TEST(UserCorrespondences, KeepTheirOrderAndTheirPlaces) {
   const std::vector<std::int32_t> rows = {30, 7, 2, 9, 30, 1, 2, 9, 5, 7};  // one stands twice
   const emtr::UserCorrespondences m = read(pair, rows);
   ASSERT_EQ(m.correspondences.size(), 4u);
-  EXPECT_EQ(m.clouds.source.rows, (std::vector<std::int32_t>{2, 5, 30}));
-  EXPECT_EQ(m.clouds.target.rows, (std::vector<std::int32_t>{1, 7, 9}));
+  EXPECT_EQ(m.keypoints.source.rows, (std::vector<std::int32_t>{2, 5, 30}));
+  EXPECT_EQ(m.keypoints.target.rows, (std::vector<std::int32_t>{1, 7, 9}));
   const std::int32_t expected[4][2] = {{30, 7}, {2, 9}, {30, 1}, {5, 7}};
   const emtr::NormalizedPair normalized =
       emtr::normalize(pair.source_cloud(), pair.target_cloud(), 1);
   for (std::size_t i = 0; i < 4; ++i) {
     const auto s = static_cast<std::size_t>(m.correspondences[i].source),
                t = static_cast<std::size_t>(m.correspondences[i].target);
-    EXPECT_EQ(m.clouds.source.rows[s], expected[i][0]);
-    EXPECT_EQ(m.clouds.target.rows[t], expected[i][1]);
+    EXPECT_EQ(m.keypoints.source.rows[s], expected[i][0]);
+    EXPECT_EQ(m.keypoints.target.rows[t], expected[i][1]);
     // All points are finite and few, so the base points are the caller's.
-    EXPECT_EQ(m.clouds.source.points.x[s],
+    EXPECT_EQ(m.keypoints.source.points.x[s],
               normalized.source.x[static_cast<std::size_t>(expected[i][0])]);
-    EXPECT_EQ(m.clouds.target.points.z[t],
+    EXPECT_EQ(m.keypoints.target.points.z[t],
               normalized.target.z[static_cast<std::size_t>(expected[i][1])]);
   }
-  EXPECT_EQ(m.clouds.source.dimension, 0u);
+  EXPECT_EQ(m.keypoints.source.dimension, 0u);
 }
 
 TEST(UserCorrespondences, OfTooManySomeFromAllOverTheListAreTaken) {
@@ -57,7 +58,7 @@ TEST(UserCorrespondences, OfTooManySomeFromAllOverTheListAreTaken) {
   for (std::int32_t i = 0; i < 100; ++i) rows.insert(rows.end(), {i, i});
   const emtr::UserCorrespondences m = read(pair, rows, 10);
   ASSERT_EQ(m.correspondences.size(), 10u);
-  EXPECT_EQ(m.clouds.source.rows,
+  EXPECT_EQ(m.keypoints.source.rows,
             (std::vector<std::int32_t>{0, 10, 20, 30, 40, 50, 60, 70, 80, 90}));
   EXPECT_EQ(read(pair, rows, 100).correspondences.size(), 100u);
 }

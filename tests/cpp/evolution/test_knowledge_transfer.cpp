@@ -49,13 +49,12 @@ TEST_F(KnowledgeTransfer, MixesByTheLinearLambdas) {
   EXPECT_NEAR(guides.beta[2], lb * 0.1 + (1 - lb) * -0.3, 1e-12);
 
   const double rotation[3] = {0.7, -0.2, 0.1};
-  const Eigen::Vector3d t =
-      complement->translation(emtr::euler_to_rotation(rotation), nullptr);
+  const Eigen::Vector3d t = complement->translation(emtr::euler_to_rotation(rotation), nullptr);
   for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_NEAR(guides.alpha[k + 3],
-                la * (0.1 * static_cast<double>(k + 1)) +
-                    (1 - la) * t[static_cast<Eigen::Index>(k)],
-                1e-12);
+    EXPECT_NEAR(
+        guides.alpha[k + 3],
+        la * (0.1 * static_cast<double>(k + 1)) + (1 - la) * t[static_cast<Eigen::Index>(k)],
+        1e-12);
 }
 
 TEST_F(KnowledgeTransfer, AlongTheArcTheLambdasAreSharesOfTheWay) {

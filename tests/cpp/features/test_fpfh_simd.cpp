@@ -3,8 +3,8 @@
 #include <cstring>
 
 #include "correspondences/matching.h"
-#include "support/overlap.h"
 #include "support/dense.h"
+#include "support/overlap.h"
 
 namespace {
 
@@ -12,9 +12,9 @@ using emtr::Cloud;
 using emtr::FeatureBackend;
 using emtr::FeatureDefinition;
 using emtr::Features;
-using emtr_test::Overlap;
-using emtr_test::feature_overlap;
 using emtr_test::Dense;
+using emtr_test::feature_overlap;
+using emtr_test::Overlap;
 
 Features described(const Cloud& cloud, FeatureDefinition definition, FeatureBackend backend,
                    const emtr::Kernels& kernels = emtr::select_kernels()) {

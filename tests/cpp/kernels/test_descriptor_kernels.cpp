@@ -126,7 +126,7 @@ TEST(DescriptorKernels, LeastDirectionsAreThoseOfTheCovariance) {
   Cloud first;
   first.resize(discs);
   emtr::kernels_at(0)->plane_normals(moments.data(), discs, centers.view(), viewpoint,
-                                        first.x.data(), first.y.data(), first.z.data());
+                                     first.x.data(), first.y.data(), first.z.data());
   for (std::size_t k = 0; k < discs; ++k) {
     const Double3 n = at(first, k);
     EXPECT_NEAR(dot(n, n), 1, 1e-6);
@@ -151,7 +151,7 @@ TEST(DescriptorKernels, LeastDirectionsAreThoseOfTheCovariance) {
     Cloud found;
     found.resize(discs);
     kernel->plane_normals(moments.data(), discs, centers.view(), viewpoint, found.x.data(),
-                             found.y.data(), found.z.data());
+                          found.y.data(), found.z.data());
     EXPECT_EQ(found.x, first.x) << kernel->name;
     EXPECT_EQ(found.y, first.y) << kernel->name;
     EXPECT_EQ(found.z, first.z) << kernel->name;

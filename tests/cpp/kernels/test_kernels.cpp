@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "util/error.h"
 #include "kernels/kernels.h"
 #include "support/clouds.h"
 #include "tasks/m_estimator.h"
+#include "util/error.h"
 
 namespace {
 

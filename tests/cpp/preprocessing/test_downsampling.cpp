@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "util/error.h"
 #include "neighbors/resolution.h"
 #include "preprocessing/downsampling.h"
 #include "support/clouds.h"
+#include "util/error.h"
 
 namespace {
 
@@ -15,7 +15,8 @@ double sparse_points(const emtr::DownsampledClouds& d) {
   return static_cast<double>(d.source_sparse.size());
 }
 
-emtr::DownsampledClouds downsampled(std::size_t points, const char* setting = "seed", double value = 0) {
+emtr::DownsampledClouds downsampled(std::size_t points, const char* setting = "seed",
+                                    double value = 0) {
   const emtr_test::Pair pair(1, points);
   emtr::Settings settings = emtr::preset("paper");
   emtr::set(settings, setting, value);

@@ -4,11 +4,11 @@
 #include <cstring>
 #include <limits>
 
-#include "util/error.h"
 #include "preprocessing/base_points.h"
 #include "preprocessing/keypoints.h"
 #include "preprocessing/preprocessed_cloud.h"
 #include "support/clouds.h"
+#include "util/error.h"
 
 namespace {
 
@@ -60,7 +60,8 @@ TEST(Keypoints, AreThoseWithCoordinatesAndAWholeDescriptor) {
     float p[3];
     ASSERT_TRUE(preprocessed.find(row, p));
     EXPECT_EQ(d.points.x[k], p[0]);
-    EXPECT_NEAR(d.points.y[k] * preprocessed.radius + preprocessed.center[1], in.points[3 * row + 1], 1e-6);
+    EXPECT_NEAR(d.points.y[k] * preprocessed.radius + preprocessed.center[1],
+                in.points[3 * row + 1], 1e-6);
     EXPECT_EQ(d.points.z[k], p[2]);
   }
 }
@@ -79,7 +80,8 @@ TEST(Keypoints, AreReadInAnyStride) {
 
 TEST(Keypoints, OfALargeCloudAreThinned) {
   Input in(emtr::kDownsampledAbove + 50000);
-  for (std::size_t i = 0; i < in.points.size() / 3; ++i) in.points[3 * i] *= 0.01f;  // many in a voxel
+  for (std::size_t i = 0; i < in.points.size() / 3; ++i)
+    in.points[3 * i] *= 0.01f;  // many in a voxel
   const PreprocessedCloud preprocessed(in.cloud, "", 2);
   const emtr::Keypoints& d = preprocessed.keypoints;
   EXPECT_LT(d.rows.size(), in.cloud.count - 10000);

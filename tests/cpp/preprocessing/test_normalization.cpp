@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "util/error.h"
 #include "preprocessing/normalization.h"
+#include "util/error.h"
 
 namespace {
 

@@ -6,13 +6,13 @@
 #include <limits>
 #include <vector>
 
-#include "util/error.h"
 #include "neighbors/resolution.h"
-#include "voxels/voxel_grid.h"
 #include "preprocessing/base_points.h"
 #include "preprocessing/normalization.h"
 #include "preprocessing/preprocessed_cloud.h"
 #include "support/clouds.h"
+#include "util/error.h"
+#include "voxels/voxel_grid.h"
 
 namespace {
 
@@ -44,7 +44,8 @@ Rows sorted(const emtr::Cloud& cloud) {
 }
 
 /// All finite points by (p - center) * (1 / radius), one by one.
-emtr::Cloud all_points(const std::vector<float>& packed, const emtr::PreprocessedCloud& preprocessed) {
+emtr::Cloud all_points(const std::vector<float>& packed,
+                       const emtr::PreprocessedCloud& preprocessed) {
   emtr::Cloud cloud;
   const auto unit = [&](std::size_t i, int k) {
     return static_cast<float>(

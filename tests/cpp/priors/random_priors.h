@@ -27,11 +27,18 @@ inline emtr::Normalization any_frame(Draw& d, double lever) {
 }
 
 /// Which limits there are; to be added up.
-enum { kGuessRotation = 1, kGuessTranslation = 2, kAxis = 4, kBounds = 8, kLargest = 16, kAll = 32 };
+enum {
+  kGuessRotation = 1,
+  kGuessTranslation = 2,
+  kAxis = 4,
+  kBounds = 8,
+  kLargest = 16,
+  kAll = 32
+};
 
 /// Settings with these limits that `inside` (normalized) satisfies, some of them just so.
-inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Normalization& normalization, int which,
-                                    Draw& d) {
+inline emtr::Settings limits_around(const emtr::Rigid& inside,
+                                    const emtr::Normalization& normalization, int which, Draw& d) {
   constexpr double degree = M_PI / 180;
   emtr::Settings s = emtr::preset("default");
   const Eigen::Quaterniond q(inside.R);
@@ -44,7 +51,8 @@ inline emtr::Settings limits_around(const emtr::Rigid& inside, const emtr::Norma
     s.has_guess = 1;
     emtr::to_matrix(normalization.to_user(guess), s.guess);
     if (which & kGuessRotation) s.guess_rotation = degrees + d.uniform(0, 30);
-    if (which & kGuessTranslation) s.guess_translation = normalization.scale * (away + d.uniform(0, 0.3));
+    if (which & kGuessTranslation)
+      s.guess_translation = normalization.scale * (away + d.uniform(0, 0.3));
   }
   if (which & kAxis) {
     const Eigen::AngleAxisd whole(q);

@@ -154,7 +154,7 @@ TEST(MakePrior, AGuessOfFewDigitsIsARotationToAllOfThem) {
       for (int k = 0; k < 3; ++k) dot += pose.R(i, k) * pose.R(j, k);
       EXPECT_NEAR(dot, i == j, 1e-14);
     }
-  for (int i = 0; i < 9; ++i) EXPECT_NEAR(pose.R[i], s.guess[i / 3 * 4 + i % 3], 2e-4);
+  for (int i = 0; i < 9; ++i) EXPECT_NEAR(pose.R(i / 3, i % 3), s.guess[i / 3 * 4 + i % 3], 2e-4);
 }
 
 TEST(MakePrior, AnAxisMayHaveAnyLength) {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "geometry/small_motion.h"
 #include "priors/prior.h"
 #include "priors/random_priors.h"
-#include "geometry/small_motion.h"
 
 namespace {
 
@@ -30,9 +30,9 @@ struct Case {
 double angle_between(const Rigid& a, const Rigid& b) { return emtr::rotation_distance(a.R, b.R); }
 
 /// Expects a pose to satisfy the settings, computed anew from the user's matrix.
-void expect_satisfied(const emtr::Settings& s, const emtr::Normalization& normalization, const Rigid& pose) {
+void expect_satisfied(const emtr::Settings& s, const emtr::Normalization& normalization,
+                      const Rigid& pose) {
   constexpr double degree = M_PI / 180, tiny = 1e-8;
-  using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   const Rigid user = normalization.to_user(pose);
   const Eigen::Matrix3d R = user.R;
   EXPECT_NEAR((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 0, 1e-12);
@@ -81,8 +81,7 @@ TEST(Prior, WhatItProjectsIsAdmissibleAndStays) {
                     again = c.prior->project(found);
         EXPECT_TRUE(c.prior->admits(found)) << which;
         expect_satisfied(c.settings, c.normalization, found);
-        EXPECT_TRUE(found.R == again.R &&
-                    found.t == again.t);
+        EXPECT_TRUE(found.R == again.R && found.t == again.t);
       }
       if (HasFailure()) FAIL() << "limits " << which << ", case " << k;
     }
@@ -91,8 +90,8 @@ TEST(Prior, WhatItProjectsIsAdmissibleAndStays) {
 /// First the rotation, then the translation, as the class says.
 TEST(Prior, NoAdmissiblePoseIsNearerThanThatOfASingleLimit) {
   Draw d(2);
-  for (const int which : std::initializer_list<int>{kGuessRotation, kGuessTranslation, kAxis, kBounds,
-                                                    kLargest, kGuessTranslation + kBounds})
+  for (const int which : std::initializer_list<int>{kGuessRotation, kGuessTranslation, kAxis,
+                                                    kBounds, kLargest, kGuessTranslation + kBounds})
     for (int k = 0; k < 30; ++k) {
       const Case c(d, which, which & kBounds && which & kGuessTranslation ? 0 : 1);
       const Rigid pose = any_pose(d, 2), found = c.prior->project(pose);
@@ -106,7 +105,8 @@ TEST(Prior, NoAdmissiblePoseIsNearerThanThatOfASingleLimit) {
         other = c.prior->project(other);
         EXPECT_GE(angle_between(other, pose), angle_between(found, pose) - 1e-9) << which;
         if (which & (kGuessTranslation | kBounds)) {
-          EXPECT_GE(translation_between(other, pose), translation_between(found, pose) - 1e-9) << which;
+          EXPECT_GE(translation_between(other, pose), translation_between(found, pose) - 1e-9)
+              << which;
         }
       }
     }
@@ -122,8 +122,7 @@ TEST(Prior, ATurnAboutAnUprightAxisNearAGuessIsTheNearestThereIs) {
     double nearest = HUGE_VAL;
     for (int degree = 0; degree < 3600; ++degree) {
       Rigid rotated;
-      rotated.R =
-          Eigen::AngleAxisd(degree * M_PI / 1800, axis).toRotationMatrix();
+      rotated.R = Eigen::AngleAxisd(degree * M_PI / 1800, axis).toRotationMatrix();
       if (c.prior->admits(rotated)) nearest = std::min(nearest, angle_between(rotated, pose));
     }
     EXPECT_LE(angle_between(found, pose), nearest + 1e-9);

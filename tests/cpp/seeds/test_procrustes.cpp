@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "seeds/procrustes.h"
 #include "geometry/euler.h"
+#include "seeds/procrustes.h"
 
 namespace {
 

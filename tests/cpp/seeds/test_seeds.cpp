@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "seeds/seeds.h"
-#include "support/clouds.h"
 #include "geometry/euler.h"
 #include "geometry/transform.h"
+#include "seeds/seeds.h"
+#include "support/clouds.h"
 
 namespace {
 

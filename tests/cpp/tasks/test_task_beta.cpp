@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "support/clouds.h"
 #include "geometry/euler.h"
+#include "support/clouds.h"
 #include "tasks/task_beta.h"
 
 namespace {

@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "util/thread_team.h"
 #include "util/cancellation.h"
+#include "util/thread_team.h"
 
 namespace {
 
@@ -19,8 +19,9 @@ using emtr::ThreadTeam;
 /// Whether each of n jobs is done once on a team of its own.
 bool does_each_job_once(std::size_t n, int threads) {
   std::vector<int> done(n, 0);
-  ThreadTeam::with(threads,
-             [&](ThreadTeam& team) { team.parallel(n, [&](std::size_t i, std::size_t) { ++done[i]; }); });
+  ThreadTeam::with(threads, [&](ThreadTeam& team) {
+    team.parallel(n, [&](std::size_t i, std::size_t) { ++done[i]; });
+  });
   return done == std::vector<int>(n, 1);
 }
 
@@ -56,7 +57,8 @@ TEST(ThreadTeam, ThrowsWhatAJobThrowsAndCanGoOn) {
 }
 
 TEST(ThreadTeam, ThrowsWhatItsBodyThrows) {
-  EXPECT_THROW(ThreadTeam::with(3, [](ThreadTeam&) { throw std::runtime_error("body"); }), std::runtime_error);
+  EXPECT_THROW(ThreadTeam::with(3, [](ThreadTeam&) { throw std::runtime_error("body"); }),
+               std::runtime_error);
 }
 
 /// The calling thread has no job left while a helper works on; it asks its caller nevertheless.
@@ -86,7 +88,8 @@ TEST(ThreadTeam, AsksItsCallerWhileHelpersWork) {
 }
 
 TEST(ThreadTeam, ThrowsWhatTheCallerThrowsWhenAsked) {
-  emtr::CancellationToken watch([](const emtr_progress&) -> bool { throw std::domain_error("caller"); }, 0, {});
+  emtr::CancellationToken watch(
+      [](const emtr_progress&) -> bool { throw std::domain_error("caller"); }, 0, {});
   const emtr::CancellationScope watched(&watch);
   const auto until_stopped = [](std::size_t, std::size_t) {
     for (;;) {

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "voxels/cell_grid.h"
 #include "support/clouds.h"
+#include "voxels/cell_grid.h"
 
 namespace {
 

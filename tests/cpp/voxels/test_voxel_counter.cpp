@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "support/clouds.h"
 #include "voxels/voxel_counter.h"
 #include "voxels/voxel_grid.h"
-#include "support/clouds.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "voxels/voxel_grid.h"
 #include "support/clouds.h"
+#include "voxels/voxel_grid.h"
 
 namespace {
 

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <random>
 
-#include "voxels/voxel_order.h"
-#include "voxels/voxel_grid.h"
 #include "support/clouds.h"
 #include "util/constants.h"
+#include "voxels/voxel_grid.h"
+#include "voxels/voxel_order.h"
 
 namespace {
 

@@ -62,8 +62,8 @@ void add_input(Json& out, const Options& options) {
   out["settings"] = settings_json(options.settings);
   add_known_pose(out, options.settings);
   out["user_provided"] = {{"normals", options.fields.normals},
-                      {"features", text_or_null(options.fields.features)},
-                      {"correspondences", options.correspondences.size()}};
+                          {"features", text_or_null(options.fields.features)},
+                          {"correspondences", options.correspondences.size()}};
 }
 
 }  // namespace cli
