@@ -99,10 +99,10 @@ class Pair:
 
     def error(self, found: np.ndarray) -> tuple[float, float]:
         """Degrees, and how far the center of the source ends from where it should."""
-        turned = np.linalg.norm(found[:3, :3] - self.T[:3, :3]) / (2 * np.sqrt(2))
+        chord = np.linalg.norm(found[:3, :3] - self.T[:3, :3]) / (2 * np.sqrt(2))
         center = np.append(self.source.mean(axis=0), 1)
         return (
-            float(np.degrees(2 * np.arcsin(min(1.0, turned)))),
+            float(np.degrees(2 * np.arcsin(min(1.0, chord)))),
             float(np.linalg.norm((found @ center - self.T @ center)[:3])),
         )
 

@@ -1,4 +1,4 @@
-"""The moved cloud keeps every field; what has a direction turns with it."""
+"""The moved cloud keeps every field; directions rotate with it."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def fields(**others) -> dict[str, np.ndarray]:
 @pytest.fixture
 def aligned(run, tmp_path):
     """Registers a cloud to a fixed target; the moved cloud's path and T."""
-    turned = surface(COUNT, 4) @ rotation([1, 2, -1], 2.0).T
-    cloud_files.write_pcd(tmp_path / "b.pcd", turned + [1, 2, 3])
+    rotated = surface(COUNT, 4) @ rotation([1, 2, -1], 2.0).T
+    cloud_files.write_pcd(tmp_path / "b.pcd", rotated + [1, 2, 3])
 
     def call(source, extension: str):
         done = run(source, "b.pcd", *QUICK, "-o", "T.txt", "--aligned", f"moved{extension}")
@@ -91,8 +91,8 @@ def test_pcd_to_ply(aligned, tmp_path):
     found, _ = read_ply(path)
     assert np.allclose(xyz(found), moved(T, xyz(rows)), atol=1e-5)
     assert np.allclose(xyz(found, "nx ny nz"), NORMALS @ T[:3, :3].T, atol=1e-5)
-    for shift, name in ((16, "red"), (8, "green"), (0, "blue")):
-        assert np.array_equal(found[name], rows["rgb"] >> shift & 255)
+    for bit, name in ((16, "red"), (8, "green"), (0, "blue")):
+        assert np.array_equal(found[name], rows["rgb"] >> bit & 255)
     for name in ("intensity", "ring", "label", "time"):
         assert found[name].dtype == rows[name].dtype
         assert np.array_equal(found[name], rows[name]), name
@@ -127,8 +127,8 @@ def test_ply_source(aligned, tmp_path, extension, alpha, data):
         found, _ = read_pcd(path)
         normals = "normal_x normal_y normal_z"
         packed = found["rgba" if alpha else "rgb"].copy().view("u4")
-        for shift, name in zip((16, 8, 0, 24), color, strict=False):
-            assert np.array_equal(packed >> shift & 255, rows[name]), name
+        for bit, name in zip((16, 8, 0, 24), color, strict=False):
+            assert np.array_equal(packed >> bit & 255, rows[name]), name
     assert found["x"].dtype == np.float64
     assert np.allclose(xyz(found), moved(T, xyz(rows)), rtol=0, atol=1e-13)
     assert np.allclose(xyz(found, normals), NORMALS @ T[:3, :3].T, atol=1e-5)
@@ -202,8 +202,8 @@ def test_sensor_pose_moves_along(aligned, tmp_path):
     path, T = aligned("a.pcd", ".ply")
     _, camera = read_ply(path)
     assert np.allclose(xyz(camera, "view_px view_py view_pz")[0], expected, rtol=2e-7, atol=0.05)
-    turned = np.array([[camera[f"{i}_axis{j}"][0] for j in "xyz"] for i in "xyz"])
-    assert np.allclose(turned, T[:3, :3] @ R, atol=1e-5)
+    rotated = np.array([[camera[f"{i}_axis{j}"][0] for j in "xyz"] for i in "xyz"])
+    assert np.allclose(rotated, T[:3, :3] @ R, atol=1e-5)
 
     path.rename(tmp_path / "again.ply")
     path, second = aligned("again.ply", ".pcd")

@@ -115,7 +115,7 @@ def refused_after_work(small, tmp_path, refused, name, limit) -> str:
         *small,
         *QUICK,
         "--quiet",
-        "--minimum-mode-gap",
+        "--minimum-fitness-gap",
         "0",
         "--maximum-fitness",
         "1",

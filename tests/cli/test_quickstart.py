@@ -232,14 +232,14 @@ def show(folder: Path) -> subprocess.CompletedProcess[str]:
 def test_a_right_pose_is_shown_beside_the_true_one(sample: Path) -> None:
     pytest.importorskip("matplotlib")
     true = np.loadtxt(sample / "T_true.txt")
-    turn = np.eye(4)
+    rotation = np.eye(4)
     angle = np.radians(0.5)
-    turn[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
-    np.savetxt(sample / "T.txt", true @ turn)
+    rotation[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+    np.savetxt(sample / "T.txt", true @ rotation)
     done = show(sample)
     assert done.returncode == 0, done.stderr
     assert "rotation error     0.5000 degrees" in done.stdout
-    assert f"{true[0, 3]:.6f}" in done.stdout and f"{(true @ turn)[0, 0]:.6f}" in done.stdout
+    assert f"{true[0, 3]:.6f}" in done.stdout and f"{(true @ rotation)[0, 0]:.6f}" in done.stdout
     assert (sample / "alignment.png").read_bytes().startswith(b"\x89PNG")
 
 

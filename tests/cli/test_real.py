@@ -15,5 +15,5 @@ def test_real_pair(run, data_dir, tmp_path, name):
     assert done.returncode == 0, done.stderr
     found = np.loadtxt(tmp_path / "T.txt")
     truth = np.loadtxt(folder / "T_gt.txt")
-    turned = np.linalg.norm(found[:3, :3] - truth[:3, :3]) / (2 * np.sqrt(2))
-    assert np.degrees(2 * np.arcsin(min(1, turned))) < 5
+    chord = np.linalg.norm(found[:3, :3] - truth[:3, :3]) / (2 * np.sqrt(2))
+    assert np.degrees(2 * np.arcsin(min(1, chord))) < 5

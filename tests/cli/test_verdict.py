@@ -44,10 +44,10 @@ def test_unrelated_clouds_are_not_registered(run, tmp_path):
 def test_a_ball_can_spin(run, tmp_path):
     """Every rotation fits, which is another doubt than too little in common."""
     rng = np.random.default_rng(2)
-    for name, shift in (("a.pcd", [0, 0, 0]), ("b.pcd", [4, 5, 6])):
+    for name, offset in (("a.pcd", [0, 0, 0]), ("b.pcd", [4, 5, 6])):
         points = rng.normal(size=(3000, 3))
         points /= np.linalg.norm(points, axis=1)[:, None]
-        cloud_files.write_pcd(tmp_path / name, points + shift)
+        cloud_files.write_pcd(tmp_path / name, points + offset)
     done = run("a.pcd", "b.pcd", "--threads", "2", "--report", "r.json")
     assert done.returncode == 3, done.stderr
     report = json.loads((tmp_path / "r.json").read_text())

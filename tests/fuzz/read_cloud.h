@@ -52,10 +52,10 @@ inline void read_cloud(const std::string& extension, const std::uint8_t* data, s
   accepted(emtr_preprocess(&points, "", 1, &preprocessed));
   emtr_preprocessed_free(preprocessed);
 
-  const Eigen::Matrix4d quarter_turn =
+  const Eigen::Matrix4d quarter_rotation =
       (Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ()))
           .matrix();
-  cli::move_cloud(cloud, quarter_turn);
+  cli::move_cloud(cloud, quarter_rotation);
   write_and_read(cloud, scratch.path("out.pcd"));
   write_and_read(cloud, scratch.path("out.ply"));
 }

@@ -151,7 +151,7 @@ def obj() -> dict[str, bytes]:
 def matrix() -> dict[str, bytes]:
     return {
         "identity": b"1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n",
-        "turn": b"# degrees: 90\n0 -1 0 1e3\n1 0 0 -2.5\n\n0 0 1 +0.125\r\n0 0 0 1",
+        "rotation": b"# degrees: 90\n0 -1 0 1e3\n1 0 0 -2.5\n\n0 0 1 +0.125\r\n0 0 0 1",
     }
 
 

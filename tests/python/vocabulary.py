@@ -122,7 +122,6 @@ EXCEPTIONS = [
     Exception_("*", r"^\s*shift( \d+)?$", "the command of bash"),
     Exception_("*", r"\bshift\b.*(?:<<|>>)|(?:<<|>>).*\bshift\b|2\^shift|\[shift\]|int shift\)",
                "a shift of binary digits"),
-    Exception_("*peers*", r"\bprepare", "prepares a virtual environment"),
     Exception_("tools/bench/emtr_bench/*", r"\bturns?\b", "methods are measured in turns"),
     Exception_("tools/virtual_scan/shape.py", r"\bstanding\b", "an arm of the dragon"),
 ]  # fmt: skip

@@ -64,7 +64,7 @@ const char* emtr_reason_text(emtr_reason reason) {
     case EMTR_REASON_INTERRUPTED:
       return "interrupted";
     case EMTR_REASON_DEGENERATE:
-      return "the surfaces can slide or spin along themselves";
+      return "the surfaces leave a direction of the pose unconstrained";
     case EMTR_REASON_TIME_LIMIT:
       return "the time limit was reached";
   }

@@ -36,7 +36,7 @@ void describe_clouds(Problem& problem) {
   FeatureDefinition definition = feature_definition(problem.settings, clouds.leaf_dense);
   definition.trust_normals = trust_normals(problem.pair);
   definition.normals_only = problem.user_keypoints != nullptr;
-  // One rule for both clouds: normals turn to the sensors only where both positions are known.
+  // One rule for both clouds: normals face the sensors only where both positions are known.
   const GivenViewpoints sensors(problem.settings, problem.pair.normalization);
   const auto described = [&](const Cloud& cloud, const Cloud& normals,
                              const std::optional<Viewpoint>& sensor) {

@@ -157,7 +157,7 @@ const std::vector<Setting>& setting_table() {
       SETTING(axis_angle_minimum, Real, "degrees", -360, 360, -180, "priors",
               "least angle about the axis", ""),
       SETTING(axis_angle_maximum, Real, "degrees", -360, 360, 180, "priors",
-              "largest angle about the axis; a whole turn from the least: any", ""),
+              "largest angle about the axis; 360 more than the minimum: any", ""),
       SETTING(maximum_rotation, Real, "degrees", 0, kAnyRotation, kAnyRotation, "priors",
               "largest angle of the whole rotation; 180: any", ""),
   };

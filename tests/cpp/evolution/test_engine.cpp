@@ -31,7 +31,7 @@ class Engine : public testing::Test {
   std::uint64_t dense = problem->alpha->queries(EMTR_STAGE_DENSE);
 };
 
-TEST_F(Engine, LookUpsAreThePapersFormula) {
+TEST_F(Engine, QueriesFollowThePapersFormula) {
   const Evolution with = run(problem, settings);
   EXPECT_EQ(with.queries_evaluation, 50 * (60 * sparse + 40 * dense));
   EXPECT_EQ(with.queries_switch, 50 * dense);

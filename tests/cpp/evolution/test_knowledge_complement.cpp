@@ -8,16 +8,16 @@
 
 namespace {
 
-/// A bumpy ball, so that no shift slides along it.
-emtr::Cloud ball(float shift_x, float shift_y, float shift_z) {
+/// A bumpy ball, so that every translation is constrained.
+emtr::Cloud ball(float offset_x, float offset_y, float offset_z) {
   emtr::Cloud cloud;
   for (int i = 0; i < 600; ++i) {
     const double a = i * 2.399963, z = 2 * (i + 0.5) / 600 - 1, r = std::sqrt(1 - z * z);
     const double u[3] = {r * std::cos(a), r * std::sin(a), z};
     const double radius = 0.7 + 0.15 * std::sin(5 * u[0]) * std::cos(4 * u[1] + u[2]);
-    emtr_test::push(cloud, static_cast<float>(radius * u[0]) + shift_x,
-                    static_cast<float>(radius * u[1]) + shift_y,
-                    static_cast<float>(radius * u[2]) + shift_z);
+    emtr_test::push(cloud, static_cast<float>(radius * u[0]) + offset_x,
+                    static_cast<float>(radius * u[1]) + offset_y,
+                    static_cast<float>(radius * u[2]) + offset_z);
   }
   return cloud;
 }

@@ -21,7 +21,7 @@ struct Angles {
 class RotationStep : public testing::Test {
  protected:
   Angles any() {
-    std::uniform_real_distribution<double> angle(-7, 7);  // beyond a turn, as particles fly on
+    std::uniform_real_distribution<double> angle(-7, 7);  // beyond 2 pi, as particles fly on
     return {{angle(random), angle(random), angle(random)}};
   }
   /// By the series of the matrix exponential, which knows nothing of quaternions.
@@ -94,7 +94,7 @@ TEST(RotationVector, LogarithmUndoesTheExponential) {
     const Eigen::Vector3d vector = length * Eigen::Vector3d(2, -1, 2) / 3;
     EXPECT_LT((emtr::logarithm(emtr::exponential(vector)) - vector).norm(), 1e-12) << length;
   }
-  // Longer than half a turn: the other way round is shorter.
+  // Longer than pi: the other way round is shorter.
   const Eigen::Vector3d axis = Eigen::Vector3d(2, -1, 2) / 3;
   EXPECT_LT((emtr::logarithm(emtr::exponential(4 * axis)) - (4 - 2 * M_PI) * axis).norm(), 1e-12);
 }

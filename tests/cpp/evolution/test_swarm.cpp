@@ -12,11 +12,11 @@ using emtr::Settings;
 using emtr::Stream;
 using emtr::Swarm;
 
-void evaluate_sphere(Swarm& swarm, double shift) {
+void evaluate_sphere(Swarm& swarm, double center) {
   for (std::size_t i = 0; i < swarm.size(); ++i) {
     double sum = 0;
     for (std::size_t k = 0; k < swarm.dimensions(); ++k)
-      sum += std::pow(swarm.position(i)[k] - shift, 2);
+      sum += std::pow(swarm.position(i)[k] - center, 2);
     swarm.fitness()[i] = sum;
   }
 }
@@ -119,7 +119,7 @@ TEST(Swarm, StepsByRotationVectorsAreTheEquationOfPsoInTheTangentSpace) {
   settings.population = 20;
   settings.velocity_limit = 0.1;
   Swarm swarm(emtr::pose_genes(0.5), settings, Stream::Alpha, RotationSteps::Vector);
-  const double limit = 0.1 * 2 * M_PI;  // a rotation vector's range is a turn, for all three
+  const double limit = 0.1 * 2 * M_PI;  // a rotation vector's range is 2 pi, for all three
   evaluate_sphere(swarm, 0);
   swarm.update_bests();
   // Away from its pbest, so that both pulls count: of two moves the second is looked at.
@@ -164,7 +164,7 @@ TEST(Swarm, StepsByRotationVectorsAreTheEquationOfPsoInTheTangentSpace) {
 TEST(Swarm, StepsByRotationVectorsTakeTheShortWay) {
   Settings settings = emtr::preset("paper");
   Swarm swarm(emtr::rotation_genes(), settings, Stream::Beta, RotationSteps::Vector);
-  // A rotation near half a turn, written in angles that differ by nearly a turn.
+  // A rotation by nearly pi, written in angles that differ by nearly 2 pi.
   const double target[3] = {M_PI - 0.02, 0.3, 0};
   for (int it = 0; it < settings.iterations; ++it) {
     for (std::size_t i = 0; i < swarm.size(); ++i) {

@@ -94,7 +94,7 @@ TEST(Problem, FeaturesAreOfTheBackendThatTheSettingNames) {
   }
 }
 
-TEST(Problem, NormalsTurnToTheSensorsWhereBothAreGiven) {
+TEST(Problem, NormalsFaceTheSensorsWhereBothAreGiven) {
   const emtr_test::Pair pair(6, 5000);
   emtr::Settings settings = emtr::preset("default");
   const auto made = [&] { return emtr_test::problem_of(pair.source(), pair.target(), settings); };
@@ -163,7 +163,7 @@ TEST(Problem, MakesOnlyWhatTheSettingsAskFor) {
   EXPECT_LT(pair.error(result->transformation), 0.05);
 }
 
-TEST(Problem, OfPreparedCloudsGivesTheSameBits) {
+TEST(Problem, PreprocessedCloudsGiveTheSameBits) {
   const emtr_test::Pair pair(12, 3000);
   const emtr::Settings settings = emtr::preset("default");
   const auto preprocessed = [](const emtr_cloud& cloud, const char* name) {

@@ -203,7 +203,7 @@ TEST(Registration, DefaultIsTheSameBitsWithAnyKernels) {
   }
 }
 
-TEST(Registration, EscalatedIsTheSameBitsForAnyThreadsAndKernels) {
+TEST(Registration, FallbackSearchIsTheSameBitsForAnyThreadsAndKernels) {
   const Pair pair(64, 3000);
   const ResultPtr one = solve(pair, preset("thorough", 1));
   ASSERT_TRUE(one->used_fallback_search);
@@ -257,8 +257,8 @@ TEST(Registration, TheUnitScalesTheResultAndNothingElse) {
   ASSERT_EQ(a->refined, 1);
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j) {
-      const double shifts = (i < 3 ? 1 : unit) * (j < 3 ? 1 : unit);
-      EXPECT_NEAR(b->information[6 * i + j] * shifts / a->information[6 * i + j], 1, 1e-12);
+      const double units = (i < 3 ? 1 : unit) * (j < 3 ? 1 : unit);
+      EXPECT_NEAR(b->information[6 * i + j] * units / a->information[6 * i + j], 1, 1e-12);
       EXPECT_EQ(b->hessian_eigenvectors[6 * i + j], a->hessian_eigenvectors[6 * i + j]);
     }
   ASSERT_EQ(a->alternative_count, b->alternative_count);
@@ -314,7 +314,7 @@ void expect_doubt(const emtr::Result& r) {
   EXPECT_GT(r.alternatives[0].score, 0.8 * r.score);
 }
 
-TEST(Registration, AVaseCanBeTurnedAboutItsAxis) {
+TEST(Registration, AVaseCanRotateAboutItsAxis) {
   const Symmetric vase([](std::uint64_t seed) {
     return emtr_test::Draw(seed).cloud(3000, 0.002, [](emtr_test::Draw& d) {
       const double z = d.uniform(-1, 1), angle = d.uniform(0, 2 * M_PI);

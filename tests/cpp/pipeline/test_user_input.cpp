@@ -1,4 +1,4 @@
-// What users hand in, from the problem to the result.
+// User-provided data, from the problem to the result.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ std::vector<float> codes(const std::vector<float>& points, bool source, std::siz
   return out;
 }
 
-TEST(Handed, OwnFeaturesHandedInGiveTheOwnMatches) {
+TEST(UserInput, OurOwnFeaturesGiveOurOwnCorrespondences) {
   const KnownPair pair(8000);
   const emtr::Settings settings = emtr::preset("default");
   const auto own = emtr_test::problem_of(pair.source_cloud(), pair.target_cloud(), settings);
@@ -77,7 +77,7 @@ TEST(Handed, OwnFeaturesHandedInGiveTheOwnMatches) {
   EXPECT_EQ(found, rows_of(*own));
 }
 
-TEST(Handed, FeaturesOfAnyDimensionRegister) {
+TEST(UserInput, FeaturesOfAnyDimensionRegister) {
   const KnownPair pair(6000);
   const emtr::Settings settings = emtr::preset("default");
   for (const std::size_t dimension : {5u, 33u, 352u}) {
@@ -90,7 +90,7 @@ TEST(Handed, FeaturesOfAnyDimensionRegister) {
   }
 }
 
-TEST(Handed, AFewKeypointsAreEnough) {
+TEST(UserInput, AFewKeypointsAreEnough) {
   const KnownPair pair(6000);
   auto source = codes(pair.source, true, 8), target = codes(pair.target, false, 8);
   const float none = std::numeric_limits<float>::quiet_NaN();
@@ -107,7 +107,7 @@ TEST(Handed, AFewKeypointsAreEnough) {
   EXPECT_LT(KnownPair::error(result->transformation), 0.05);
 }
 
-TEST(Handed, VeryManyFeaturesAreThinnedToOneADenseLeaf) {
+TEST(UserInput, VeryManyFeaturesAreDownsampledToOneADenseLeaf) {
   const KnownPair pair(40000);
   const auto source = codes(pair.source, true, 4), target = codes(pair.target, false, 4);
   ASSERT_GT(pair.source.size() / 3, emtr::kMaximumKeypoints);
@@ -117,7 +117,7 @@ TEST(Handed, VeryManyFeaturesAreThinnedToOneADenseLeaf) {
   EXPECT_EQ(problem->matched_target().size(), problem->downsampled.target_dense.size());
 }
 
-TEST(Handed, TrueMatchesAmongFourTimesAsManyWrongOnesRegister) {
+TEST(UserInput, TrueMatchesAmongFourTimesAsManyWrongOnesRegister) {
   const KnownPair pair(5000);
   const auto rows = pair.correspondences(500, 5);
   for (const char* preset : {"default", "fast"}) {
@@ -135,7 +135,7 @@ TEST(Handed, TrueMatchesAmongFourTimesAsManyWrongOnesRegister) {
   }
 }
 
-TEST(Handed, MatchesGoBeforeFeatures) {
+TEST(UserInput, MatchesGoBeforeFeatures) {
   const KnownPair pair(3000);
   const auto rows = pair.correspondences(300, 2);
   const auto source = codes(pair.source, true, 3), target = codes(pair.target, false, 3);
@@ -147,7 +147,7 @@ TEST(Handed, MatchesGoBeforeFeatures) {
   EXPECT_EQ(0, std::memcmp(beside->transformation, alone->transformation, sizeof(double[16])));
 }
 
-TEST(Handed, AnEscalationLooksWithOurOwnFeatures) {
+TEST(UserInput, AFallbackSearchLooksWithOurOwnFeatures) {
   // Matches that are all wrong, and hardly any swarm: what finds the pose is the second search.
   const KnownPair pair(5000);
   auto rows = pair.correspondences(200, 1);
@@ -166,7 +166,7 @@ TEST(Handed, AnEscalationLooksWithOurOwnFeatures) {
   EXPECT_LT(KnownPair::error(result->transformation), 0.02);
 }
 
-TEST(Handed, AnEscalationKeepsWhatTheMatchesLedTo) {
+TEST(UserInput, AFallbackSearchKeepsWhatTheMatchesLedTo) {
   const KnownPair pair(5000);
   const auto rows = pair.correspondences(200, 2);
   emtr::Settings settings = emtr::preset("thorough");
@@ -181,7 +181,7 @@ TEST(Handed, AnEscalationKeepsWhatTheMatchesLedTo) {
   EXPECT_LT(KnownPair::error(result->transformation), 0.02);
 }
 
-TEST(Handed, NormalsReplaceTheEstimatedOnes) {
+TEST(UserInput, NormalsReplaceTheEstimatedOnes) {
   const KnownPair pair(6000);
   emtr_cloud source = pair.source_cloud(), target = pair.target_cloud();
   source.normals = pair.source_normals.data();
@@ -192,7 +192,7 @@ TEST(Handed, NormalsReplaceTheEstimatedOnes) {
     const auto problem = emtr_test::problem_of(source, target, settings);
     const auto estimated =
         emtr_test::problem_of(pair.source_cloud(), pair.target_cloud(), settings);
-    // Those of the relief all look up, which is the source's y; estimated ones to the centroid.
+    // Normals of the relief all point up, which is the source's y; estimated ones to the centroid.
     std::size_t up = 0, estimated_up = 0;
     const auto& normals = problem->source_features.normals;
     for (std::size_t i = 0; i < normals.size(); i += 3) {
@@ -212,7 +212,7 @@ TEST(Handed, NormalsReplaceTheEstimatedOnes) {
   }
 }
 
-TEST(Handed, NormalsOfOneCloudAloneAreTurnedAsTheEstimatedOnes) {
+TEST(UserInput, NormalsOfOneCloudAloneAreOrientedAsTheEstimatedOnes) {
   const KnownPair pair(6000);
   emtr_cloud source = pair.source_cloud();
   source.normals = pair.source_normals.data();
@@ -229,7 +229,7 @@ TEST(Handed, NormalsOfOneCloudAloneAreTurnedAsTheEstimatedOnes) {
   EXPECT_LT(KnownPair::error(result->transformation), 0.02);
 }
 
-TEST(Handed, PointsWithoutANormalStayWithout) {
+TEST(UserInput, PointsWithoutANormalStayWithout) {
   KnownPair pair(4000);
   for (std::size_t i = 0; i < pair.target.size(); i += 3)
     if (pair.target[i] < -0.5f) std::fill_n(&pair.target_normals[i], 3, 0.0f);
@@ -253,7 +253,7 @@ TEST(Handed, PointsWithoutANormalStayWithout) {
   EXPECT_LT(KnownPair::error(emtr_test::solve(*problem)->transformation), 0.02);
 }
 
-TEST(Handed, PreparedCloudsGiveTheSameBits) {
+TEST(UserInput, PreprocessedCloudsGiveTheSameBits) {
   const KnownPair pair(4000);
   const auto source_codes = codes(pair.source, true, 6),
              target_codes = codes(pair.target, false, 6);
@@ -278,7 +278,7 @@ TEST(Handed, PreparedCloudsGiveTheSameBits) {
   }
 }
 
-TEST(Handed, FeaturesOfOneCloudOnlyAreRefused) {
+TEST(UserInput, FeaturesOfOneCloudOnlyAreRefused) {
   const KnownPair pair(1000);
   const auto source = codes(pair.source, true, 4), target = codes(pair.target, false, 6);
   const auto refusal = [&](const emtr_cloud& s, const emtr_cloud& t) -> std::string {

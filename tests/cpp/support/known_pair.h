@@ -11,8 +11,8 @@
 
 namespace emtr_test {
 
-/// Two overlapping parts of one sampled relief, the source turned by 120 degrees about (1, 1, 1)
-/// and shifted, with what is otherwise unknown: normals, and which rows are the same point.
+/// Two overlapping parts of one sampled relief, the source rotated by 120 degrees about (1, 1, 1)
+/// and translated, with what is otherwise unknown: normals, and which rows are the same point.
 struct KnownPair {
   std::vector<float> source, target, source_normals, target_normals;  ///< packed
   std::vector<std::pair<std::int32_t, std::int32_t>> matches;         ///< by rows of the source
@@ -58,7 +58,7 @@ struct KnownPair {
     return std::isfinite(T[0]) ? most : HUGE_VAL;
   }
 
-  /// Of `count` matches spread over all, every one but each `right`-th is made wrong at random.
+  /// Makes `count` matches spread over all rows; all but each `right`-th are wrong at random.
   std::vector<std::int32_t> correspondences(std::size_t count, std::size_t right) const {
     std::mt19937 random(5);
     std::vector<std::int32_t> out;

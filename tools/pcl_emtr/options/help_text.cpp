@@ -58,8 +58,8 @@ Exit codes:
   2  input or output: a file that is missing, damaged, of unknown format or cannot be written,
      or a cloud that cannot be registered (fewer than 10 finite points, or all on one line)
   3  not registered: T is written, but is doubtful. A message tells the reason: too little
-     overlap, another pose that fits as well, too few correspondences, surfaces that can slide
-     along themselves, or the time limit
+     overlap, another pose that fits as well, too few correspondences, surfaces that leave a
+     direction unconstrained, or the time limit
   130, 143  stopped by Ctrl-C or by SIGTERM: the best pose so far is written, if any was known
 )";
 

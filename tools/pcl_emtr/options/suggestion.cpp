@@ -11,7 +11,7 @@ std::string without_dashes(const std::string& word) {
 }
 
 /// Returns how many letters have to be left out, added, replaced or swapped with their neighbor to
-/// turn `a` into `b` (the optimal string alignment distance).
+/// change `a` into `b` (the optimal string alignment distance).
 std::size_t edits_between(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) edits[i][0] = i;
