@@ -18,7 +18,7 @@ class Camera:
 
     @classmethod
     def towards(cls, direction: Floats, up: Floats) -> Camera:
-        """Looks against ``direction`` (3,), which leads from the clouds to the viewer."""
+        """Returns the view against ``direction`` (3,), from the clouds to the viewer."""
         toward = direction / np.linalg.norm(direction)
         right = np.cross(up, toward)
         if np.linalg.norm(right) < 1e-6 * np.linalg.norm(up):  # straight from above or below
@@ -27,7 +27,7 @@ class Camera:
         return cls(np.stack([right, np.cross(toward, right), toward]))
 
     def visible(self, points: Floats, cell: float) -> float:
-        """Share of points (N, 3) that no other one hides, on a raster of width ``cell``."""
+        """Returns the share of points (N, 3) that none hides, on a raster of width ``cell``."""
         seen = points @ self.axes.T
         columns = np.floor(seen[:, :2] / cell).astype(np.int64)
         columns -= columns.min(axis=0)
@@ -38,28 +38,28 @@ class Camera:
         return float(np.mean(seen[order, 2] > front - 4 * cell))
 
     def bulges(self, points: Floats) -> bool:
-        """Whether points (N, 3) come nearer in the middle, as a shell does from outside."""
+        """Tells whether points (N, 3) come nearer in the middle, as a shell does from outside."""
         seen = (points - points.mean(axis=0)) @ self.axes.T
         return bool(np.sum(seen[:, 2] * np.sum(seen[:, :2] ** 2, axis=1)) <= 0)
 
-    def turned(self, degrees: float, up: Floats) -> Camera:
-        """The same view after a walk round the vertical axis ``up`` (3,)."""
+    def rotated(self, degrees: float, up: Floats) -> Camera:
+        """Returns the same view from another side, rotated about the vertical axis ``up`` (3,)."""
         x, y, z = up / np.linalg.norm(up)
         angle = math.radians(degrees)
         cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-        turn = np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
-        return Camera(self.axes @ turn.T)
+        rotation = np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+        return Camera(self.axes @ rotation.T)
 
 
 def best_view(points: Floats, up: Floats, gap: float) -> Camera:
-    """The view from slightly above that hides the fewest points, from outside the shell.
+    """Returns the view from slightly above that hides the fewest points, from outside the shell.
 
     ``gap`` is the usual distance between neighbors among points (N, 3).
     """
     up = up / np.linalg.norm(up)
     flat = np.cross(up, np.roll(up, 1) + [0.1, 0.2, 0.3])
     start = Camera.towards(flat / np.linalg.norm(flat) + 0.3 * up, up)
-    views = [start.turned(degrees, up) for degrees in range(0, 360, 10)]
+    views = [start.rotated(degrees, up) for degrees in range(0, 360, 10)]
     shares = [camera.visible(points, _cell(gap)) for camera in views]
     # a single layer of points hides as few from behind, so both ends of an axis count together
     best = max(range(18), key=lambda i: shares[i] + shares[i + 18])
@@ -67,8 +67,8 @@ def best_view(points: Floats, up: Floats, gap: float) -> Camera:
 
 
 def side_view(front: Camera, points: Floats, up: Floats, gap: float) -> tuple[str, Camera]:
-    """A second view, 50 degrees to the side that hides fewer points."""
-    sides = {"left": front.turned(-50.0, up), "right": front.turned(50.0, up)}
+    """Returns a second view, 50 degrees to the side that hides fewer points."""
+    sides = {"left": front.rotated(-50.0, up), "right": front.rotated(50.0, up)}
     return max(sides.items(), key=lambda side: side[1].visible(points, _cell(gap)))
 
 

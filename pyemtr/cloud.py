@@ -63,7 +63,7 @@ class Cloud:
 
     @property
     def has_normals(self) -> bool:
-        """Whether the user provided normals."""
+        """True when the user provided normals."""
         return bool(self._info["normals"])
 
     @property

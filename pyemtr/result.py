@@ -70,8 +70,8 @@ class Result:
         information: float64 (6, 6), inverse covariance of the pose for a small rotation w
             (radians) followed by a translation v (the user's unit) about ``center_target`` c:
             q = exp(w) (R p + t - c) + c + v. NaN when not refined, like the next two.
-        hessian_eigenvalues: float64 (6,), ascending: how firmly the matched surfaces constrain the
-            pose, from 0 for a motion along the surfaces to about 1.
+        hessian_eigenvalues: float64 (6,), ascending: how strongly the matched surfaces constrain
+            the pose, from 0 for a motion along the surfaces to about 1.
         hessian_eigenvectors: float64 (6, 6), row i a unit vector for eigenvalue i: rotation, as
             arc length at the surfaces' radius, then translation.
         unconstrained_directions: how many of the six are not constrained; None when not refined.

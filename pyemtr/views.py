@@ -159,5 +159,5 @@ class ProblemViews(ABC):
 
     @property
     def tims_pruned(self) -> int:
-        """How many of them no rotation can make an inlier; they are not in the arrays."""
+        """The number of them that no rotation can make an inlier; they are not in the arrays."""
         return int(self._describe()["tims_pruned"])

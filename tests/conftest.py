@@ -1,4 +1,4 @@
-"""What all Python tests share."""
+"""Fixtures that all Python tests share."""
 
 from __future__ import annotations
 

@@ -67,8 +67,10 @@ def make_pair(seed: int = 5, points: int = 40000, noise: float = 0.1) -> Pair:
     source = scan(viewpoint(*SOURCE_VIEW), points, noise, rng)
     target = scan(viewpoint(*TARGET_VIEW), points, noise, rng)
     # The target's scanner stood level, so z is up in target.pcd; the source's lay anyhow.
-    turn = rng.uniform(-np.pi, np.pi)
-    level = np.array([[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1]])
+    azimuth = rng.uniform(-np.pi, np.pi)
+    level = np.array(
+        [[np.cos(azimuth), -np.sin(azimuth), 0], [np.sin(azimuth), np.cos(azimuth), 0], [0, 0, 1]]
+    )
     target_pose = rigid(level, rng.uniform(-60, 60, 3))
     source_pose = rigid(random_rotation(rng), rng.uniform(-60, 60, 3))
     return Pair(source, target, source_pose, target_pose)

@@ -46,7 +46,7 @@ def table() -> str:
     for s in pyemtr.settings().values():
         standard = shown(s, s.default)
         values = [shown(s, used[s.name]) for used in presets.values()]
-        # What a preset leaves as it is stays blank, so that its own values stand out.
+        # A cell is blank where the preset keeps the default, so that its own values are seen.
         cells = [values[0], *("" if v == standard else v for v in values[1:])]
         lines.append(
             "| " + " | ".join((f"`{s.name}`", *cells, s.unit, span(s), s.part, s.text)) + " |"

@@ -62,7 +62,7 @@ build() {
   step "Building with $(nproc) jobs" cmake --build "$BUILD" --parallel "$(nproc)"
 }
 
-# What build_sanitized() needs.
+# build_sanitized() needs these packages.
 CLANG_PACKAGES=(clang libclang-rt-dev libomp-dev cmake ninja-build pkg-config libpcl-dev libgtest-dev)
 
 # build_sanitized address|thread [target...]: with Clang into a folder of its own. Assertions stay in,
@@ -80,7 +80,7 @@ build_sanitized() {
     cmake --build "$folder" --parallel "$(nproc)" --target "${@:-all}"
 }
 
-# What the package is made of, in one number; the same again needs no installation.
+# Prints a hash of the package's sources; the same hash needs no new installation.
 fingerprint() {
   (cd "$ROOT" && find pyproject.toml setup.py CMakeLists.txt libemtr pyemtr -type f \
     -not -path '*/__pycache__/*' -print0 | LC_ALL=C sort -z | xargs -0 sha256sum) | sha256sum

@@ -1,7 +1,8 @@
-// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET [normals | features | priors | FILE]: by the
-// class, twice with one object, and by the C API, each as a line "result" and lines "name value
-// ...", in hexadecimal. With the normals or the field fpfh of the files, or a file of
-// correspondences; priors: with those that stand below.
+// entries SOURCE.pcd TARGET.pcd THREADS SEED PRESET [normals | features | priors | FILE]
+//
+// Registers by the class, twice with one object, and by the C API. Prints each result as a line
+// "result" and lines "name value ...", in hexadecimal. Uses the normals or the field fpfh of the
+// files, a file of correspondences, or the priors below.
 #include <emtr/emtr.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/registration/emtr_ssc.h>
@@ -24,8 +25,7 @@ struct Chosen {
   bool priors;
 };
 
-// The same in test_priors.py, and true of the pair that is made there but for half a degree of
-// tilt.
+// test_priors.py has the same priors. They hold for its pair but for half a degree of tilt.
 constexpr double kAxis[3] = {1, 1.1, 1}, kTilt = 4, kLeast = -170, kMost = 200, kLargest = 170;
 constexpr double kLow[3] = {-9, -9, -9}, kHigh[3] = {9, 9, 9}, kDegrees = 40, kDistance = 3;
 constexpr double kGuess[16] = {0, 0, 1, -5.5, 1, 0, 0, -4.5, 0, 1, 0, -5, 0, 0, 0, 1};
@@ -61,8 +61,8 @@ void print(const emtr_result& r, const std::vector<double>& residuals) {
   SCALAR(dense_target), SCALAR(correspondences), SCALAR(tims), SCALAR(tims_pruned);
   SCALAR(normalization_scale), SCALAR(leaf_sparse), SCALAR(leaf_dense), SCALAR(iterations);
   SCALAR(confidence), SCALAR(score), SCALAR(surface_fit), SCALAR(violation), SCALAR(score_gap);
-  SCALAR(seeds), SCALAR(candidates), SCALAR(used_fallback_search), SCALAR(refined),
-      SCALAR(unconstrained_directions);
+  SCALAR(seeds), SCALAR(candidates), SCALAR(used_fallback_search), SCALAR(refined);
+  SCALAR(unconstrained_directions);
 #undef SCALAR
   print("transformation", r.transformation, 16);
   print("center_source", r.center_source, 3);
@@ -82,8 +82,8 @@ void print(const emtr_result& r, const std::vector<double>& residuals) {
   print("residuals_single", single.data(), single.size());
 }
 
-/// What is handed in; what is not is empty.
-struct Handed {
+/// Normals, features or correspondences that the user provides; empty where there are none.
+struct UserInput {
   pcl::PointCloud<pcl::Normal>::Ptr normals[2];
   pcl::PointCloud<pcl::FPFHSignature33>::Ptr features[2];
   std::vector<std::int32_t> rows;
@@ -132,14 +132,14 @@ struct Handed {
 };
 
 bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& chosen,
-              const Handed& handed) {
+              const UserInput& input) {
   pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ, double> registration;
   registration.setInputSource(source);
   registration.setInputTarget(target);
   if (!registration.setPreset(chosen.preset)) return false;
   registration.setNumberOfThreads(static_cast<unsigned>(chosen.threads));
   registration.setSeed(chosen.seed);
-  handed.set_user_input(registration);
+  input.set_user_input(registration);
   Eigen::Matrix4d guess = Eigen::Matrix4d::Identity();
   if (chosen.priors) {
     using Eigen::Vector3d;
@@ -161,7 +161,7 @@ bool by_class(const Cloud::Ptr& source, const Cloud::Ptr& target, const Chosen& 
   return true;
 }
 
-int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen, const Handed& handed) {
+int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen, const UserInput& input) {
   emtr_settings settings;
   emtr_result* result = nullptr;
   if (emtr_settings_init(&settings, sizeof settings, chosen.preset) != EMTR_OK) return 1;
@@ -170,10 +170,10 @@ int by_c(const Cloud& source, const Cloud& target, const Chosen& chosen, const H
   if (chosen.priors) set_priors(settings);
   emtr_cloud from{&source[0].x, source.size(), sizeof source[0], EMTR_FLOAT32};
   emtr_cloud to{&target[0].x, target.size(), sizeof target[0], EMTR_FLOAT32};
-  handed.set_user_input(0, from);
-  handed.set_user_input(1, to);
-  if (!handed.rows.empty()) settings.correspondences = handed.rows.data();
-  settings.correspondence_count = handed.rows.size() / 2;
+  input.set_user_input(0, from);
+  input.set_user_input(1, to);
+  if (!input.rows.empty()) settings.correspondences = input.rows.data();
+  settings.correspondence_count = input.rows.size() / 2;
   if (emtr_register(&from, &to, &settings, nullptr, nullptr, &result) != EMTR_OK) {
     std::fprintf(stderr, "%s\n", emtr_error_message());
     return 1;
@@ -196,7 +196,7 @@ int main(int argc, char** argv) {
     return 2;
   const Chosen chosen{std::atoi(argv[3]), std::strtoul(argv[4], nullptr, 10), argv[5],
                       argc == 7 && std::string(argv[6]) == "priors"};
-  Handed handed;
-  if (argc == 7 && !chosen.priors && !handed.read(argv[6], argv + 1)) return 2;
-  return by_class(source, target, chosen, handed) ? by_c(*source, *target, chosen, handed) : 2;
+  UserInput input;
+  if (argc == 7 && !chosen.priors && !input.read(argv[6], argv + 1)) return 2;
+  return by_class(source, target, chosen, input) ? by_c(*source, *target, chosen, input) : 2;
 }

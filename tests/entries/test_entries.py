@@ -1,4 +1,4 @@
-"""One pair, four ways in, any number of threads and instruction set: the same bits."""
+"""One pair, four APIs, any number of threads and instruction set: the same bits."""
 
 from __future__ import annotations
 

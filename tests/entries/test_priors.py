@@ -1,4 +1,4 @@
-"""What is known of the pose, told by four ways: the same bits, for any kernel and threads."""
+"""Priors given through four APIs: the same bits, for any kernel and number of threads."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from reproducibility_matrix.clouds import generated, write_pcd
-from test_handed import COMMAND, KERNELS, PROGRAM, outcome
+from test_user_input import COMMAND, KERNELS, PROGRAM, outcome
 
 import pyemtr
 
@@ -28,7 +28,7 @@ PRIORS: dict[str, Any] = {
 
 
 def options(folder: Path) -> list[str]:
-    """Those of the shell."""
+    """Returns the priors as options of the shell."""
     words = []
     np.savetxt(folder / "guess.txt", GUESS)
     for name, value in PRIORS.items():

@@ -1,4 +1,4 @@
-"""What is handed in, by four ways: the same bits, for any kernel and number of threads."""
+"""User-provided data through four APIs: the same bits, for any kernel and number of threads."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ PROGRAM, COMMAND = BUILD.program, BUILD.command
 KERNELS = ["generic", pyemtr.kernel_name()]
 
 
-def described(points: np.ndarray, source: bool) -> np.ndarray:
-    """x y z, a normal (none for every 50th point) and 33 numbers (none for every 30th), float32."""
+def with_fields(points: np.ndarray, source: bool) -> np.ndarray:
+    """Returns x y z, a normal (NaN for every 50th point) and 33 numbers (NaN for every 30th)."""
     # The source's axes are y, z, x of the target's, see generated().
     at = (points - [4, 5, 6])[:, [2, 0, 1]] if source else points
     waves = np.random.default_rng(2).normal(scale=3, size=(3, 33))
@@ -59,7 +59,7 @@ def test_same_bits(what: str, preset: str, tmp_path: Path) -> None:
     for program in (PROGRAM, COMMAND):
         if not program.is_file():
             pytest.skip(f"no {program}: run tools/check, or set EMTR_BUILD_DIR")
-    clouds = [described(points, i == 0) for i, points in enumerate(generated())]
+    clouds = [with_fields(points, i == 0) for i, points in enumerate(generated())]
     clouds[0][17, 1] = np.nan
     files = [write_pcd(tmp_path / f"{i}.pcd", rows) for i, rows in enumerate(clouds)]
     source, target = (rows[:, :3] for rows in clouds)

@@ -1,4 +1,4 @@
-"""What the accuracy benchmark's tests need: a small data folder, and an engine that is exact.
+"""Fakes for the tests of the accuracy benchmark: a small data folder, and an engine that is exact.
 
 Source and target of each pair hold the same points in the same order, so that the engine can
 solve for the pose by least squares; a run whose seed is in `spoiled` is turned off the truth.

@@ -61,7 +61,7 @@ def by_python(source: object, target: object) -> dict[str, Any]:
 
 
 def as_it_lies(cloud: object) -> CCloud | None:
-    """What a C program could hand over: rows of floats or doubles, whatever their distance."""
+    """Returns rows of floats or doubles at any distance, as a C program may pass them."""
     if not isinstance(cloud, np.ndarray) or cloud.ndim != 2 or cloud.shape[1] != 3:
         return None
     scalars = {np.dtype("f4"): 0, np.dtype("f8"): 1}

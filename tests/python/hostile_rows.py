@@ -55,13 +55,13 @@ def cube() -> np.ndarray:
     return points
 
 
-def turned(points: np.ndarray) -> np.ndarray:
+def rotated(points: np.ndarray) -> np.ndarray:
     return shapes.apply(shapes.random_transformation(np.random.default_rng(5)), points)
 
 
 def twice(make: Callable[[], np.ndarray]) -> Callable[[], tuple[object, object]]:
-    """Two samplings of one shape, one of them turned."""
-    return lambda: (make(), turned(make()))
+    """Two samplings of one shape, one of them rotated."""
+    return lambda: (make(), rotated(make()))
 
 
 def same(make: Callable[[], np.ndarray]) -> Callable[[], tuple[object, object]]:
@@ -199,7 +199,7 @@ ROWS: dict[str, Row] = {
     "three points": Row(of(S[:3], T[:3]), FEW),
     "nine points": Row(of(S[:9], T[:9]), FEW),
     "ten points": Row(of(S[:10], T[:10]), THIN),
-    "twenty points": Row(of(S[:20], T[:20]), DOUBT | {"thinned"}),
+    "twenty points": Row(of(S[:20], T[:20]), DOUBT | {"downsampled"}),
     "fifty points": Row(of(S[:50], T[:50]), DOUBT),
     "one against a million": Row(lambda: (S[:1], RNG.normal(size=(1000000, 3))), FEW),
     "fifty against a million": Row(lambda: (S[:50], RNG.normal(size=(1000000, 3))), DOUBT),

@@ -54,9 +54,9 @@ def misbehave(how, source, target):
         raise RuntimeError("not to my taste")
     if how == "skew":
         T[0, 0] += 0.1
-    if how == "turn":
+    if how == "rotate":
         T = accuracy_fakes.spoil(T, source.mean(axis=0), 20.0, 0.0)
-    if how == "slide":
+    if how == "translate":
         T[:3, 3] += np.ptp(target, axis=0)
     return T
 

@@ -104,6 +104,6 @@ def rotation_error(a: np.ndarray, b: np.ndarray) -> float:
 
 
 def centroid_error(a: np.ndarray, b: np.ndarray, points: np.ndarray) -> float:
-    """How far apart two transformations take the centroid."""
+    """Returns the distance between the centroids that two transformations give."""
     center = points.mean(axis=0, keepdims=True)
     return float(np.linalg.norm(apply(a, center) - apply(b, center)))

@@ -105,7 +105,7 @@ def test_a_row_sums_up_its_runs(manifest):
     f = row.figures
     assert (row.runs, row.crashed, row.paper) == (5, 0, ROWS["Bunny"])
     assert (f.success, f.joint) == (pytest.approx(80.0), pytest.approx(60.0))
-    # Of the successes: 1, 3, 2 and 0 degrees; 1, 3, 50 and 0 hundredths.
+    # The successes have 1, 3, 2 and 0 degrees; 1, 3, 50 and 0 hundredths.
     assert f.median_rotation == pytest.approx(1.5, abs=1e-3)
     assert f.rotation.mean == pytest.approx(1.5, abs=1e-3)
     assert f.rotation.std == pytest.approx(math.sqrt(5.0 / 3.0), abs=1e-3)
@@ -121,7 +121,7 @@ def test_the_auc_is_the_share_of_pairs_in_order():
         return SimpleNamespace(confidence=confidence, joint=joint)
 
     runs = [run(0.9, True), run(0.5, True), run(0.5, False), run(0.1, False), run(0.7, False)]
-    # Of six pairs 0.9 has all three, 0.5 one and a half.
+    # 0.9 wins all three of the six pairs, 0.5 one and a half.
     assert summary.auc([*runs, run(math.nan, True)]) == pytest.approx(4.5 / 6)
     assert summary.auc(runs[:1] + runs[3:4]) == 1.0
     assert math.isnan(summary.auc(runs[:2])) and math.isnan(summary.auc([]))

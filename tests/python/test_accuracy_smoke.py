@@ -31,7 +31,7 @@ def test_the_generated_pair_stands_in_for_the_data(tmp_path):
     value = json.loads(path.read_text())
     assert [(r["pair"], r["index"], r["error"]) for r in value["runs"]] == [
         ("sample", 0, None), ("sample", 1, None)]  # fmt: skip
-    # An easy pair: poses near the truth show that nothing between file and score is turned round.
+    # An easy pair: poses near the truth show that nothing between file and score is reversed.
     assert all(r["joint"] and r["registered"] for r in value["runs"])
 
 

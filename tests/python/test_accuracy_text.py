@@ -211,16 +211,27 @@ def test_help_ends_with_0(capsys):
     assert ended.value.code == 0 and "exit code" in capsys.readouterr().out
 
 
-def test_the_script_says_how_to_get_what_it_lacks(tmp_path):
+@pytest.mark.parametrize(
+    ("script", "missing"),
+    [
+        ("bench/accuracy", "pyemtr and no plyfile"),
+        ("reproducibility", "numpy and no plyfile and no Cython"),
+    ],
+)
+def test_the_script_says_how_to_get_what_it_lacks(script, missing, tmp_path):
     # A copy elsewhere finds no build/venv to go on with; -S hides what is installed.
-    script = tmp_path / "tools" / "bench" / "accuracy"
-    script.parent.mkdir(parents=True)
-    script.write_text((REPOSITORY / "tools" / "bench" / "accuracy").read_text())
+    parts = [script, *(f"bench/emtr_bench/{part}.py" for part in ("interpreter", "locations"))]
+    for part in parts:
+        copy = tmp_path / "tools" / part
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text((REPOSITORY / "tools" / part).read_text())
+    program = tmp_path / "tools" / script
     done = subprocess.run(
-        [sys.executable, "-S", "-E", str(script)], capture_output=True, text=True, check=False
+        [sys.executable, "-S", "-E", str(program)], capture_output=True, text=True, check=False
     )
     assert done.returncode == 2
-    assert "has no pyemtr and no plyfile: run tools/check" in done.stderr
+    assert f"has no {missing}: run tools/check" in done.stderr
+    assert f"or pip install '{tmp_path}[test]'" in done.stderr
 
 
 def test_wide_figures_stay_in_their_columns():

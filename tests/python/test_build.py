@@ -1,4 +1,4 @@
-"""What setup.py says when the machine lacks something."""
+"""Messages of setup.py when the machine lacks something."""
 
 import os
 import shutil

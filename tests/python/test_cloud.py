@@ -117,5 +117,5 @@ def test_bad_threads_and_inputs_are_refused(pair, cloud):
         pyemtr.register(np.zeros((9, 3)), cloud)
     with pytest.raises(ValueError, match=r"^target cloud: 9 finite points"):
         pyemtr.Problem(cloud, np.zeros((9, 3)))
-    with pytest.raises(ValueError, match="source cloud: thinned"):
+    with pytest.raises(ValueError, match="source cloud: downsampled"):
         pyemtr.register(pyemtr.Cloud(pair.source * 1e-4), cloud)

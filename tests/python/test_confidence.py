@@ -1,4 +1,4 @@
-"""How the answer stands among the candidates, as a Result tells it."""
+"""The confidence of a result, its score and its alternatives."""
 
 import json
 
@@ -8,7 +8,7 @@ import shapes
 
 import pyemtr
 
-HALF_TURN = np.diag([-1.0, -1.0, 1.0, 1.0])
+HALF_ROTATION = np.diag([-1.0, -1.0, 1.0, 1.0])
 
 
 @pytest.fixture(scope="module")
@@ -18,10 +18,10 @@ def solved(pair):
 
 @pytest.fixture(scope="module")
 def twofold():
-    """A shape that looks the same after half a turn about z, sampled twice."""
+    """A shape that looks the same after a rotation by 180 degrees about z, sampled twice."""
     rng = np.random.default_rng(0)
     halves = [shapes.lump(rng, 5000) for _ in range(2)]
-    source, target = (np.vstack([half, shapes.apply(HALF_TURN, half)]) for half in halves)
+    source, target = (np.vstack([half, shapes.apply(HALF_ROTATION, half)]) for half in halves)
     truth = shapes.random_transformation(rng)
     return shapes.Pair(source, shapes.apply(truth, target), truth)
 
@@ -49,7 +49,7 @@ def test_both_poses_of_a_symmetric_shape_are_told(twofold):
     found = pyemtr.register(twofold.source, twofold.target, threads=2, minimum_confidence=1)
     assert found.reason == "ambiguous" and not found.registered
     other, score = found.alternatives[0]
-    right = [twofold.truth, twofold.truth @ HALF_TURN]
+    right = [twofold.truth, twofold.truth @ HALF_ROTATION]
     for pose in (found.transformation, other):
         assert min(shapes.rotation_error(pose, wanted) for wanted in right) < 1
         assert shapes.centroid_error(pose, twofold.truth, twofold.source) < 0.02

@@ -25,7 +25,7 @@ LIBRARY = Path(os.environ.get("EMTR_BUILD_DIR", "build")) / "libemtr" / "libemtr
 
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory) -> dict[str, dict[str, Any]]:
-    """What came of each row, in a process with limits of memory and time."""
+    """Returns the outcome of each row, in a process with limits of memory and time."""
     library = str(LIBRARY.resolve()) if LIBRARY.is_file() else "-"
     done = subprocess.run(
         [sys.executable, "-W", "ignore", "-m", "hostile_child", library],
@@ -60,7 +60,7 @@ def test_verdict_or_error(outcomes, name):
         assert re.search(row.expected.pattern, found["message"]), found
         return
     if "error" in found:  # only where the row says so
-        assert "thinned" in row.expected and "thinned" in found["message"], found
+        assert "downsampled" in row.expected and "downsampled" in found["message"], found
         return
     assert found["reason"] in row.expected, found
     assert found["registered"] == (found["reason"] == "registered")

@@ -1,4 +1,5 @@
-"""What cannot matter does not: the order of the points, the frames, the unit, which cloud is which.
+"""The result does not depend on the order of points, the frames, the unit, or on which cloud is the
+source.
 
 The result, taken back to the original clouds, moves by less than a tolerance: that of rounding for
 order and unit, that of another voxel grid for another frame. In degrees, and in radii where the

@@ -58,7 +58,7 @@ def test_no_error_for_the_same_pose(rotation, translation):
 
 @settings(deadline=None)
 @given(rotations)
-def test_half_turns_do_not_leave_the_domain_of_asin(true):
+def test_rotations_by_180_degrees_do_not_leave_the_domain_of_asin(true):
     for axis in np.eye(3):
         estimate = true * Rotation.from_rotvec(math.pi * axis)
         assert rotation_error(pose(estimate), pose(true)) == pytest.approx(180.0, abs=1e-5)

@@ -9,15 +9,15 @@ import pyemtr
 
 @pytest.fixture(scope="module")
 def particles(problem, pair):
-    """Anywhere, near the truth, at it, turned by whole turns, and far outside."""
+    """Anywhere, near the truth, at it, rotated by multiples of 360 degrees, and far outside."""
     rng = np.random.default_rng(3)
     low, high = pyemtr.TaskAlpha(problem).bounds.T
     anywhere = rng.uniform(low, high, (12, 6))
     truth = problem.to_particle(pair.truth)
     near = truth + rng.normal(scale=0.02, size=(6, 6))
-    turned = truth + [2 * np.pi, -4 * np.pi, 2 * np.pi, 0, 0, 0]
+    rotated = truth + [2 * np.pi, -4 * np.pi, 2 * np.pi, 0, 0, 0]
     far = [0, 0, 0, 40.0, 0, 0]
-    return np.vstack([anywhere, near, truth, turned, far])
+    return np.vstack([anywhere, near, truth, rotated, far])
 
 
 def test_sparse_stage(problem, particles):

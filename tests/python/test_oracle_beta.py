@@ -20,10 +20,10 @@ def check(problem, angles):
     found = pyemtr.TaskBeta(problem).evaluate(angles)
     threshold = problem.settings["inlier_threshold"] * problem.tau
     eta = problem.settings["outlier_penalty"] * problem.tau
-    for value, turn in zip(found, angles):
-        residuals = oracles.beta_residuals(turn, problem.tim_source, problem.tim_target)
+    for value, rotation in zip(found, angles):
+        residuals = oracles.beta_residuals(rotation, problem.tim_source, problem.tim_target)
         wanted = oracles.beta(
-            turn, problem.tim_source, problem.tim_target, problem.tims_pruned, threshold, eta
+            rotation, problem.tim_source, problem.tim_target, problem.tims_pruned, threshold, eta
         )
         # float32 may take a TIM on the very edge for the other kind; each costs eta at most.
         on_edge = np.count_nonzero(np.abs(residuals - threshold) < 2e-6)

@@ -22,14 +22,14 @@ def expected(problem, angles):
 def test_near_the_truth_and_anywhere(problem, pair):
     rng = np.random.default_rng(6)
     truth = problem.to_particle(pair.truth)
-    turns = np.vstack(
+    rotations = np.vstack(
         [
             truth[:3],
             truth[:3] + rng.normal(scale=0.05, size=(4, 3)),
             rng.uniform(-np.pi, np.pi, (6, 3)),
         ]
     )
-    for angles in turns:
+    for angles in rotations:
         found = problem.complement(angles)
         # A near tie between two neighbors may fall either way in float32 and moves the mean
         # by a leaf over the number of points.

@@ -39,9 +39,9 @@ def test_back_gives_the_angles_within_their_ranges(problem):
 
 
 @pytest.mark.parametrize("pole", [np.pi / 2, -np.pi / 2])
-@pytest.mark.parametrize("turn", [-2.5, 0.0, 1.3])
-def test_gimbal_lock_keeps_the_pose(problem, pole, turn):
-    matrix = expected(problem, np.array([0.7, pole, turn, 0.1, 0.2, 0.3]))
+@pytest.mark.parametrize("roll", [-2.5, 0.0, 1.3])
+def test_gimbal_lock_keeps_the_pose(problem, pole, roll):
+    matrix = expected(problem, np.array([0.7, pole, roll, 0.1, 0.2, 0.3]))
     back = problem.to_particle(matrix)
     assert np.isfinite(back).all()
     np.testing.assert_allclose(problem.to_transformation(back), matrix, atol=1e-7)

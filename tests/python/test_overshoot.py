@@ -1,4 +1,4 @@
-"""What tools/bench/cancel measures by, with runs that are known to go on."""
+"""The measure of tools/bench/cancel, with runs that go on for a known time."""
 
 import signal
 import time

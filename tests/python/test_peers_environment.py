@@ -21,7 +21,7 @@ def repository(tmp_path, monkeypatch):
 
 @pytest.fixture
 def ran(monkeypatch):
-    """What was run, by the word that tells it; nothing is."""
+    """Records the commands in place of running them, by the word that tells them apart."""
     steps = []
 
     def run(command):

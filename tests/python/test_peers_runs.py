@@ -20,7 +20,9 @@ def measured(tmp_path_factory):
     """Three pairs, three motions, five methods of which four go wrong in motion 1."""
     manifest = pairs.read_manifest(accuracy_fakes.write_data(tmp_path_factory.mktemp("data")))
     known = [FakeMethod("emtr-paper")]
-    known += [FakeMethod(f"peer+{how}", how, 1) for how in ("segfault", "skew", "turn", "slide")]
+    known += [
+        FakeMethod(f"peer+{how}", how, 1) for how in ("segfault", "skew", "rotate", "translate")
+    ]
     return list(runs.measure(manifest, known, OPTIONS))
 
 
@@ -34,14 +36,14 @@ def test_runs_come_by_pair_and_motion_in_the_methods_order(measured):
 
 def test_only_what_went_wrong_is_a_failure(measured):
     wrong = [(r.method, r.index) for done in measured for r in done if not r.success]
-    expected = [f"peer+{how}" for how in ("segfault", "skew", "turn", "slide")]
+    expected = [f"peer+{how}" for how in ("segfault", "skew", "rotate", "translate")]
     assert wrong == [(name, 1) for _ in range(3) for name in expected]
     by_how = {r.method: r for r in measured[1]}
     assert "SIGSEGV" in by_how["peer+segfault"].error
     assert "gave no pose" in by_how["peer+skew"].error
-    assert by_how["peer+turn"].rotation == pytest.approx(20.0, abs=1e-3)
-    assert by_how["peer+slide"].rotation < 1e-3 and by_how["peer+slide"].translation > 1.0
-    assert math.isnan(by_how["peer+segfault"].seconds) and by_how["peer+turn"].seconds > 0.0
+    assert by_how["peer+rotate"].rotation == pytest.approx(20.0, abs=1e-3)
+    assert by_how["peer+translate"].rotation < 1e-3 and by_how["peer+translate"].translation > 1.0
+    assert math.isnan(by_how["peer+segfault"].seconds) and by_how["peer+rotate"].seconds > 0.0
 
 
 def test_tables_name_every_method_and_what_was_lost(measured):

@@ -36,7 +36,7 @@ def test_every_preset_runs_and_what_is_missing_is_named(tmp_path):
     assert [r["method"] for r in value["runs"]] == [
         method.name for method in expected if method.name not in missing
     ]
-    # An easy pair: success shows that nothing on the way to a worker and back is turned round.
+    # An easy pair: success shows that nothing on the way to a worker and back is reversed.
     assert all(r["success"] for r in value["runs"] if r["method"].startswith("emtr-"))
     assert value["machine"]["pyemtr"] == pyemtr.__version__
 

@@ -32,7 +32,7 @@ def shell(count: int = 4000, seed: int = 0) -> np.ndarray:
 
 
 def pose() -> np.ndarray:
-    """Source into target: a quarter turn about x, and a translation."""
+    """Source into target: a rotation by 90 degrees about x, and a translation."""
     matrix = np.eye(4)
     matrix[:3, :3] = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
     matrix[:3, 3] = [4, 5, 6]
@@ -227,9 +227,9 @@ def test_a_camera_is_a_rotation_and_keeps_up_upright() -> None:
 
 @pytest.mark.parametrize("degrees", [0, 75, 160, 290])
 def test_a_shell_is_looked_at_from_outside(degrees: float) -> None:
-    turn = np.radians(degrees)
+    angle = np.radians(degrees)
     rotation = np.array(
-        [[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1]]
+        [[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]]
     )
     camera = best_view(shell() @ rotation.T, UP, gap=0.2)
     outside = rotation @ [0, -1, 0]

@@ -1,4 +1,4 @@
-"""What is known of the pose beforehand: kept to, made use of, and refused when it contradicts."""
+"""Priors of the pose: they hold, they are used, and contradictory ones are refused."""
 
 import numpy as np
 import pytest
@@ -52,9 +52,9 @@ def kept(T, cloud, wanted):
         ):
             return "axis"
         *v, w = Rotation.from_matrix(R).as_quat()
-        turned = np.degrees(2 * np.arctan2(v @ a, w))
+        rotated = np.degrees(2 * np.arctan2(v @ a, w))
         low, high = wanted["axis_angle_minimum"], wanted["axis_angle_maximum"]
-        off = (turned - (low + high) / 2 + 180) % 360 - 180
+        off = (rotated - (low + high) / 2 + 180) % 360 - 180
         if abs(off) > (high - low) / 2 + tiny:
             return "axis_angle"
     if "translation_bounds" in wanted:
@@ -68,15 +68,15 @@ def random_priors(rng, which, T, cloud):
     """Some priors, all of which the pose T satisfies."""
     wanted = {}
     if which & 1:
-        turn, G = rng.uniform(0, 25), np.eye(4)
+        degrees, G = rng.uniform(0, 25), np.eye(4)
         G[:3, :3] = Rotation.from_rotvec(
-            np.radians(turn) * shapes.directions(rng, 1)[0]
+            np.radians(degrees) * shapes.directions(rng, 1)[0]
         ).as_matrix()
         center, translation = cloud.mean(axis=0), rng.uniform(-0.3, 0.3, 3)
         to = T[:3, :3] @ center + T[:3, 3]
         G[:3, 3] = to - G[:3, :3] @ to + translation
         wanted["guess"] = (G @ T).tolist()
-        wanted["guess_rotation"] = turn + rng.uniform(0.001, 10)
+        wanted["guess_rotation"] = degrees + rng.uniform(0.001, 10)
         wanted["guess_translation"] = np.linalg.norm(translation) + rng.uniform(0.001, 0.2)
     if which & 2:
         axis, degrees = vector_of(T)
@@ -102,7 +102,7 @@ def random_priors(rng, which, T, cloud):
     true=st.booleans(),
 )
 def test_every_pose_that_is_given_satisfies_the_priors(seed, which, preset, true):
-    """Whether or not the clouds do."""
+    """The pose obeys the priors whether or not the clouds do."""
     rng = np.random.default_rng(seed)
     source, target, truth = shapes.make_pair(seed % 5, count=1500)
     about = truth if true else shapes.random_transformation(rng)

@@ -26,7 +26,7 @@ def results(**changes: str) -> record.Results:
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
     path = tmp_path / "before.json"
-    record.write(path, results(mode_gap="nan"))
+    record.write(path, results(old_gap="nan"))
     return path
 
 
@@ -43,8 +43,8 @@ def run(monkeypatch: pytest.MonkeyPatch):
 
 
 def test_what_is_recorded_is_read_again(file: Path) -> None:
-    assert record.read(file, {}) == results(mode_gap="nan")
-    assert record.read(file, {"mode_gap": "fitness_gap"}) == results(fitness_gap="nan")
+    assert record.read(file, {}) == results(old_gap="nan")
+    assert record.read(file, {"old_gap": "fitness_gap"}) == results(fitness_gap="nan")
 
 
 def test_the_same_results_differ_in_nothing() -> None:
@@ -75,7 +75,7 @@ def test_pairs_and_presets_of_one_side_are_named() -> None:
 
 def test_a_record_is_written_and_compared_with(run, file: Path, tmp_path: Path, capsys) -> None:
     again = tmp_path / "after.json"
-    assert run(results(mode_gap="nan"), "--record", again, "--against", file) == 0
+    assert run(results(old_gap="nan"), "--record", again, "--against", file) == 0
     assert f"same bits as in {file}" in capsys.readouterr().out
     assert json.loads(again.read_text()) == json.loads(file.read_text())
 
@@ -90,21 +90,21 @@ def test_long_values_are_compared_by_their_digest(run, tmp_path: Path) -> None:
 
 
 def test_a_difference_is_status_1(run, file: Path, capsys) -> None:
-    assert run(results(mode_gap="nan", fitness=NEXT), "--against", file) == 1
+    assert run(results(old_gap="nan", fitness=NEXT), "--against", file) == 1
     assert "generated default: different: fitness\n" in capsys.readouterr().out
 
 
 def test_renamed_fields_are_compared(run, file: Path, capsys) -> None:
-    words = ["--against", file, "--renamed", "mode_gap=fitness_gap"]
+    words = ["--against", file, "--renamed", "old_gap=fitness_gap"]
     assert run(results(fitness_gap="nan"), *words) == 0
     assert run(results(fitness_gap=ONE), *words) == 1
     assert "different: fitness_gap" in capsys.readouterr().out
     assert run(results(fitness_gap="nan"), "--against", file) == 1
-    assert "only in the record: mode_gap; only in this run: fitness_gap" in capsys.readouterr().out
+    assert "only in the record: old_gap; only in this run: fitness_gap" in capsys.readouterr().out
 
 
 def test_ways_that_differ_are_status_1_all_the_same(run, file: Path) -> None:
-    assert run(results(mode_gap="nan"), "--against", file, wrong=1) == 1
+    assert run(results(old_gap="nan"), "--against", file, wrong=1) == 1
     assert run({}) == 1
 
 

@@ -1,4 +1,4 @@
-"""How far the points of one cloud are from the other, against scipy's kd-tree."""
+"""Residuals, compared with those by scipy's kd-tree."""
 
 import numpy as np
 import pytest

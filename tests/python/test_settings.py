@@ -12,7 +12,7 @@ from pyemtr.options import make_settings, settings_used
 
 ALL = pyemtr.settings()
 CLOUD = np.random.default_rng(1).normal(size=(200, 3))
-TURN = np.array([[0.0, 1.0, 0.0], [-0.6, 0.0, 0.8], [0.8, 0.0, 0.6]])
+ROTATION = np.array([[0.0, 1.0, 0.0], [-0.6, 0.0, 0.8], [0.8, 0.0, 0.6]])
 
 
 def used(**changes):
@@ -57,7 +57,7 @@ def test_swarms_step_in_their_own_way_where_no_particle_starts_at_a_seed():
     def pose(**changes):
         few = {"population": 8, "iterations": 12, "candidates": 0, "refine": False}
         options = {"fallback_search": "off", **few, **changes}
-        return pyemtr.register(CLOUD, CLOUD[:150] @ TURN, seed=2, **options).transformation
+        return pyemtr.register(CLOUD, CLOUD[:150] @ ROTATION, seed=2, **options).transformation
 
     angles = {"rotation_vector_steps": "off", "arc_transfer": "off"}
     assert np.array_equal(pose(), pose(**angles))

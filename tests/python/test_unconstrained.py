@@ -1,4 +1,4 @@
-"""The information of a refined pose, and the directions in which the surfaces do not hold it."""
+"""The information of a refined pose, and the directions that the surfaces do not constrain."""
 
 import numpy as np
 import pytest
@@ -37,17 +37,23 @@ def test_the_unit_of_the_information(pair, solved):
 
 
 def test_the_information_foretells_the_scatter_of_the_pose():
-    """Of a pair sampled anew again and again, in its own unit and in the order (w, v)."""
+    """One pair is sampled again and again, in its own unit; the order is (w, v)."""
     scale, count = 20.0, 24
     errors, informations = [], []
     for seed in range(count):
         pair = shapes.make_pair(seed, 4000, scale=scale)
         found = pyemtr.register(pair.source, pair.target, threads=2)
-        turn = found.transformation[:3, :3] @ pair.truth[:3, :3].T
+        rotation = found.transformation[:3, :3] @ pair.truth[:3, :3].T
         # To the target's frame of the first motion, where the errors of all can be compared.
         back = pair.truth[:3, :3].T
         w = (
-            np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+            np.array(
+                [
+                    rotation[2, 1] - rotation[1, 2],
+                    rotation[0, 2] - rotation[2, 0],
+                    rotation[1, 0] - rotation[0, 1],
+                ]
+            )
             / 2
         )
         v = (
@@ -60,13 +66,13 @@ def test_the_information_foretells_the_scatter_of_the_pose():
         informations.append(both @ found.information @ both.T)
     foretold = np.sqrt(np.diag(np.linalg.inv(np.mean(informations, axis=0))))
     seen = np.sqrt(np.mean(np.square(errors), axis=0))
-    # Of 24 pairs a ratio is known to a seventh. Residuals of neighboring cubes share points, which
+    # 24 pairs give the ratio to a seventh. Residuals of neighboring cubes share points, which
     # the information takes for independent: it foretells up to 2.3 times too little.
     ratio = seen / foretold
     assert np.all((ratio > 0.6) & (ratio < 2.6)), ratio
 
 
-def test_a_ball_turns_as_it_likes():
+def test_a_ball_leaves_all_rotations_unconstrained():
     rng = np.random.default_rng(2)
     found = pyemtr.register(
         shapes.directions(rng, 8000), shapes.directions(rng, 8000), threads=2, minimum_confidence=0
@@ -75,7 +81,9 @@ def test_a_ball_turns_as_it_likes():
     assert "slide or spin" in found.reason_text
     assert found.unconstrained_directions == 3
     assert found.hessian_eigenvalues[:3].max() < 0.01 < 0.1 < found.hessian_eigenvalues[3:].min()
-    assert np.abs(found.hessian_eigenvectors[:3, 3:]).max() < 0.05  # the free ones are rotations
+    assert (
+        np.abs(found.hessian_eigenvectors[:3, 3:]).max() < 0.05
+    )  # the unconstrained ones are rotations
 
 
 def test_without_refinement_nothing_is_known(pair):

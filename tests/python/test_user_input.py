@@ -176,9 +176,9 @@ def up(points: np.ndarray) -> np.ndarray:
 
 def test_normals_replace_the_estimated_ones(known):
     outwards = up(known.target)
-    turned = up(known.source - known.truth[:3, :3].T @ -known.truth[:3, 3])
+    outwards_of_source = up(known.source - known.truth[:3, :3].T @ -known.truth[:3, 3])
     given = pyemtr.Problem(
-        known.source, known.target, source_normals=turned, target_normals=outwards
+        known.source, known.target, source_normals=outwards_of_source, target_normals=outwards
     )
     lengths = np.linalg.norm(given.target_normals, axis=1)
     np.testing.assert_allclose(lengths, 1, atol=1e-5)
@@ -193,7 +193,7 @@ def test_normals_replace_the_estimated_ones(known):
     result = given.solve()
     assert known.error(result) < 0.05
     clouds = (
-        pyemtr.Cloud(known.source, normals=turned),
+        pyemtr.Cloud(known.source, normals=outwards_of_source),
         pyemtr.Cloud(known.target, normals=outwards.tolist()),
     )
     assert bits(pyemtr.register(*clouds)) == bits(result)

@@ -1,4 +1,4 @@
-"""How a typed program uses the package; checked by mypy --strict, never run."""
+"""A typed program that uses the package; checked by mypy --strict, never run."""
 
 from __future__ import annotations
 

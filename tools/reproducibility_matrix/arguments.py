@@ -25,7 +25,7 @@ EPILOG = """\
 examples:
   tools/reproducibility --record before.json    before a change of the code
   tools/reproducibility --against before.json   after it
-  tools/reproducibility --against before.json --renamed mode_gap=fitness_gap
+  tools/reproducibility --against before.json --renamed old_name=new_name
 
 exit code: 0; 1 when anything differs; 2 when something could not be built, run or read."""
 

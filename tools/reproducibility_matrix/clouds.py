@@ -40,8 +40,8 @@ def generated() -> tuple[Points, Points]:
     u, v = rng.uniform(-1, 1, (2, 9000))
     relief = 0.3 * np.sin(3 * u + v) * np.cos(2 * v) + 0.2 * np.exp(-8 * ((u - 0.3) ** 2 + v**2))
     points = np.column_stack([u, v, relief]) + rng.normal(0, 0.002, (9000, 3))
-    turn = np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0]])
-    source = points[u > -0.5] @ turn + [4, 5, 6]
+    rotation = np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0]])
+    source = points[u > -0.5] @ rotation + [4, 5, 6]
     return source.astype(np.float32), points[u < 0.6].astype(np.float32)
 
 

@@ -34,9 +34,9 @@ def _boulder() -> tuple[Array, Array]:
     rng = np.random.default_rng(11)
     count = 34
     height = 1 - (2 * np.arange(count) + 1) / count
-    turn = np.pi * (3 - np.sqrt(5)) * np.arange(count)
+    azimuth = np.pi * (3 - np.sqrt(5)) * np.arange(count)
     ring = np.sqrt(1 - height**2)
-    normals = np.stack([ring * np.cos(turn), ring * np.sin(turn), height], axis=1)
+    normals = np.stack([ring * np.cos(azimuth), ring * np.sin(azimuth), height], axis=1)
     normals += rng.normal(0, 0.12, normals.shape)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     # the support function of an ellipsoid, each facet pushed in or out a little

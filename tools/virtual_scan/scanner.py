@@ -20,7 +20,7 @@ GRAZING = 0.12  # least cosine between ray and normal that returns an echo
 
 @dataclass
 class Scan:
-    """What a scanner saw, in the frame of the shape, mm."""
+    """The points that a scanner saw, in the frame of the shape, mm."""
 
     viewpoint: Array  # (3,)
     surface: Array  # (N, 3) where the rays met the surface

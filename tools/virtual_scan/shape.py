@@ -2,7 +2,8 @@
 
 Built from tapered capsules, planar wing membranes and a faceted rock, joined smoothly. No
 symmetry anywhere: one wing is spread and one folded, a paw holds an orb, a horn is broken, the
-head is turned and the tail curls round the rock. Unit: millimetres; z points up, about 108 mm high.
+head looks aside and the tail curls around the rock. Unit: millimeters; z points up; the height
+is about 108 mm.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ LIMBS = [
         (0.16, -0.27, 0.87, 0.038),
     ],
     [(0.06, -0.12, 0.865, 0.045), (0.135, -0.24, 0.805, 0.024)],  # lower jaw, open
-    # tail, round the rock
+    # tail, around the rock
     [
         (0.03, 0.18, 0.36, 0.10),
         (0.14, 0.27, 0.29, 0.07),

@@ -25,7 +25,7 @@ class Ranking {
     double score = 0;
   };
 
-  /// A surface with viewpoints is copied, for its normals to be turned to them; any other is
+  /// A surface with viewpoints is copied, for its normals to be oriented to them; any other is
   /// shared. The kernels must outlive this. Throws as SurfaceFit does.
   Ranking(const SharedSurface& source, const SharedSurface& target,
           const Viewpoints& source_viewpoints, const Viewpoints& target_viewpoints,

@@ -38,8 +38,8 @@ HessianSpectrum hessian_spectrum(const NormalEquations& sums) {
 int unconstrained_within(const HessianSpectrum& spectrum, const std::vector<Prior::Limit>& limits) {
   using Matrix = Eigen::MatrixXd;
   if (!(spectrum.radius > 0)) return spectrum.unconstrained;
-  // Turns a motion (rotation times radius, translation of the center) into the rotation vector and
-  // the translation at the origin.
+  // Converts a motion (rotation times radius, translation of the center) into the rotation vector
+  // and the translation at the origin.
   const Eigen::Vector3d c = Eigen::Vector3d::Map(spectrum.center) / spectrum.radius;
   Matrix motion = Matrix::Identity(6, 6);
   motion.topLeftCorner<3, 3>() /= spectrum.radius;

@@ -7,11 +7,11 @@
 
 namespace emtr {
 
-/// How firmly the matched surfaces constrain a pose: the eigenvalues of their Hessian for motions
+/// How well the matched surfaces constrain a pose: the eigenvalues of their Hessian for motions
 /// about the matches' own centroid, with rotations measured by how far they move a point at
 /// `radius` from it, so that all six directions are lengths and neither the size nor the place of
 /// the overlap counts. An eigenvalue is the mean square of the displacement along the normals for a
-/// motion of length 1: the three translations have 1 between them, a direction that slides a
+/// motion of length 1: the three translations have 1 between them, a direction that moves a
 /// surface along itself has none. A plane leaves two translations and one rotation unconstrained, a
 /// sphere three rotations, a cylinder a translation and a rotation.
 struct HessianSpectrum {

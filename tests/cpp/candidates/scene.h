@@ -49,8 +49,8 @@ struct Scene {
   Vector sensor_target() const { return {-0.35 * 5 * pair.unit(), 0, 0.94 * 5 * pair.unit()}; }
 
   /// The truth moved on by a rotation vector in degrees and a translation in radii.
-  emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
-    return compose(motion(degrees, shift), truth);
+  emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& translation) const {
+    return compose(motion(degrees, translation), truth);
   }
 
   /// Whether it is the pose that all measures of success ask for.
@@ -64,8 +64,8 @@ inline std::vector<emtr::Rigid> anywhere(std::size_t n, std::uint64_t seed) {
   Draw draw(seed);
   std::vector<emtr::Rigid> out;
   for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector3d turn = draw.uniform(0, 180) * draw.direction();
-    out.push_back(motion(turn, 0.3 * draw.direction()));
+    const Eigen::Vector3d degrees = draw.uniform(0, 180) * draw.direction();
+    out.push_back(motion(degrees, 0.3 * draw.direction()));
   }
   return out;
 }

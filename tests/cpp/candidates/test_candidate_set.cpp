@@ -67,7 +67,7 @@ TEST_F(CandidateSet, AShortlistIsOrderedByTheQuickFitAndHasNoDuplicates) {
 }
 
 TEST_F(CandidateSet, AShortlistKnowsFreeSpace) {
-  // Shifted against the target's sensor the source stands where that looked through.
+  // Moved toward the target's sensor the source stands where that looked through.
   const emtr_test::Vector at = scene().sensor_target();
   const emtr::Normalization& normalization = scene().normalized.normalization;
   emtr::Viewpoint sensor;

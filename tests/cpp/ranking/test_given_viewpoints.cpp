@@ -22,7 +22,7 @@ emtr::Settings settings() {
   return out;
 }
 
-TEST(GivenViewpoints, AreInTheNormalisedFrameOfTheirOwnCloud) {
+TEST(GivenViewpoints, AreInTheNormalizedFrameOfTheirOwnCloud) {
   emtr::Settings s = settings();
   const GivenViewpoints one(s, normalization());
   ASSERT_TRUE(one.source);

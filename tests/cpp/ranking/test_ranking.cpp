@@ -75,18 +75,19 @@ TEST(Ranking, TheQuickScoreIsTheScoreOfAPart) {
 }
 
 TEST(Ranking, BackOnFrontIsNoFitWhereBothSensorsAreKnown) {
-  // The floor slid under itself, half a turn about x: only its back can lie on the front.
+  // The floor slid under itself, rotated by 180 degrees about x: only its back can lie on the
+  // front.
   const double particle[6] = {0, 0, 3.141592653589793, 0, 0.7, 0};
-  const Rigid turned = emtr::decode(particle);
+  const Rigid upside_down = emtr::decode(particle);
   const Viewpoints either{{{{0, 4, 4}}, {{0, -4, -4}}}, 1};
   Ranking::Scratch scratch;
   Ranking given(corner(0), corner(0), kAt, kAt, kernels());
-  const Ranking::Value known = given.evaluate(turned, scratch);
+  const Ranking::Value known = given.evaluate(upside_down, scratch);
   EXPECT_GT(known.fit.score, 0.2);
   EXPECT_EQ(known.fit.same_side, 0);
   EXPECT_LE(known.score, 0);
   Ranking estimated(corner(0), corner(0), kAt, either, kernels());
-  const Ranking::Value open = estimated.evaluate(turned, scratch);
+  const Ranking::Value open = estimated.evaluate(upside_down, scratch);
   EXPECT_EQ(open.score, open.fit.score - 2 * open.violation);
 }
 
@@ -99,14 +100,14 @@ TEST(Ranking, WithoutViewpointsTheFitAlone) {
   EXPECT_EQ(value.score, value.fit.score);
 }
 
-TEST(Ranking, CopiesASurfaceOnlyToTurnItsNormals) {
+TEST(Ranking, CopiesASurfaceOnlyToOrientItsNormals) {
   const emtr::SharedSurface source = corner(0), target = corner(0.3);
   const Ranking shared(source, target, kNone, kNone, kernels());
   EXPECT_EQ(&shared.fit().points(0, 1), &source->points);
   EXPECT_EQ(&shared.fit().points(1, 1), &target->points);
-  const Ranking turned(source, target, kAt, kNone, kernels());
-  EXPECT_NE(&turned.fit().points(0, 1), &source->points);
-  EXPECT_EQ(&turned.fit().points(1, 1), &target->points);
+  const Ranking oriented(source, target, kAt, kNone, kernels());
+  EXPECT_NE(&oriented.fit().points(0, 1), &source->points);
+  EXPECT_EQ(&oriented.fit().points(1, 1), &target->points);
 }
 
 TEST(Ranking, SameBitsForEveryKernel) {

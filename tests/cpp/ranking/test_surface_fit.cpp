@@ -100,7 +100,7 @@ TEST(SurfaceFit, IsTheFormula) {
   }
 }
 
-TEST(SurfaceFit, KnownValuesOfAPlaneShiftedAlongItsNormal) {
+TEST(SurfaceFit, KnownValuesOfAPlaneMovedAlongItsNormal) {
   Surface plane, other;
   plane.leaf = other.leaf = 0.1;
   for (int i = 0; i < 10; ++i)

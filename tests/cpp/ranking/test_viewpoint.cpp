@@ -121,10 +121,10 @@ TEST(Viewpoint, OrientsNormalsToItsSide) {
   EXPECT_EQ(seen.normals.x, truth.normals.x);
   EXPECT_EQ(seen.normals.z, truth.normals.z);
   emtr::orient_normals(seen.points, {-30, -90, 30}, seen.normals);
-  std::size_t turned = 0;
+  std::size_t flipped = 0;
   for (std::size_t i = 0; i < seen.points.size(); ++i)
-    turned += seen.normals.x[i] == -truth.normals.x[i];
-  EXPECT_GT(turned, seen.points.size() * 9 / 10);
+    flipped += seen.normals.x[i] == -truth.normals.x[i];
+  EXPECT_GT(flipped, seen.points.size() * 9 / 10);
 }
 
 TEST(Viewpoint, SameForEveryKernel) {

@@ -67,14 +67,14 @@ inline emtr::Cloud cube(std::uint64_t seed, std::size_t n, double noise) {
 }
 
 /// A small motion by its rotation vector in degrees and its translation.
-inline emtr::Rigid motion(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) {
+inline emtr::Rigid motion(const Eigen::Vector3d& degrees, const Eigen::Vector3d& translation) {
   emtr::Rigid out;
   const double angle = degrees.norm();
   if (angle > 0) {
-    const Eigen::AngleAxisd turn(angle * M_PI / 180, degrees / angle);
-    out.R = turn.toRotationMatrix();
+    const Eigen::AngleAxisd rotation(angle * M_PI / 180, degrees / angle);
+    out.R = rotation.toRotationMatrix();
   }
-  out.t = shift;
+  out.t = translation;
   return out;
 }
 

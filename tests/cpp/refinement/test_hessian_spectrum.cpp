@@ -95,7 +95,8 @@ TEST(HessianSpectrum, OfNothingIsAllUnconstrained) {
 
 /// Counts among the directions that a prior leaves.
 TEST(HessianSpectrum, WhatAPriorFixesIsNotUnconstrained) {
-  const auto free = [](const HessianSpectrum& s, const Eigen::Vector3d& axis, double largest) {
+  const auto unconstrained = [](const HessianSpectrum& s, const Eigen::Vector3d& axis,
+                                double largest) {
     emtr::Settings settings = emtr::preset("default");
     settings.has_axis = 1;
     Eigen::Vector3d::Map(settings.axis) = axis;
@@ -107,11 +108,11 @@ TEST(HessianSpectrum, WhatAPriorFixesIsNotUnconstrained) {
   const HessianSpectrum plane = spectrum_of(emtr_test::plane),
                         sphere = spectrum_of(emtr_test::sphere);
   EXPECT_EQ(emtr::unconstrained_within(plane, {}), 3);
-  EXPECT_EQ(free(plane, z, 180), 3);
-  EXPECT_EQ(free(plane, x, 180), 2);
-  EXPECT_EQ(free(plane, z, 0), 2);
-  EXPECT_EQ(free(sphere, z, 180), 1);
-  EXPECT_EQ(free(sphere, z, 0), 0);
+  EXPECT_EQ(unconstrained(plane, z, 180), 3);
+  EXPECT_EQ(unconstrained(plane, x, 180), 2);
+  EXPECT_EQ(unconstrained(plane, z, 0), 2);
+  EXPECT_EQ(unconstrained(sphere, z, 180), 1);
+  EXPECT_EQ(unconstrained(sphere, z, 0), 0);
 }
 
 }  // namespace

@@ -45,9 +45,9 @@ class Ball {
 /// The small motion x with exp(x) pose = identity.
 Vector6 error_of(const emtr::Rigid& pose) {
   const emtr::Rigid back = pose.inverse();
-  const Eigen::AngleAxisd turn{back.R};
+  const Eigen::AngleAxisd rotation{back.R};
   Vector6 x;
-  x << turn.angle() * turn.axis(), back.t;
+  x << rotation.angle() * rotation.axis(), back.t;
   return x;
 }
 

@@ -38,12 +38,12 @@ struct Scans {
   Surface target(double leaf) const { return emtr::downsample_surface(pair.target, leaf); }
 
   /// The truth after a small motion on its left.
-  Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
-    const Rigid by = motion(degrees, shift);
+  Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& translation) const {
+    const Rigid by = motion(degrees, translation);
     Rigid out;
     const Eigen::Matrix3d& R = by.R;
     out.R = R * truth.R;
-    out.t = R * truth.t + shift;
+    out.t = R * truth.t + translation;
     return out;
   }
 };
@@ -194,12 +194,12 @@ struct Bumps {
     emtr::LocalRefinement::Scratch scratch;
     return (*refiner.local_refinement)(start, prior, scratch);
   }
-  /// Settings with the axis that the true rotation turns about.
+  /// Settings with the axis that the true rotation is about.
   emtr::Settings upright() const {
     emtr::Settings s = emtr::preset("default");
-    const Eigen::AngleAxisd turn(truth.R);
+    const Eigen::AngleAxisd rotation(truth.R);
     s.has_axis = 1;
-    Eigen::Vector3d::Map(s.axis) = turn.axis();
+    Eigen::Vector3d::Map(s.axis) = rotation.axis();
     return s;
   }
 };

@@ -34,8 +34,8 @@ struct Match {
   Eigen::Vector3d y() const { return R() * p + pose.t; }
   SurfacePoint source() const { return oriented(p, n); }
   SurfacePoint target() const {
-    const Rigid turn = motion(tilt, {0, 0, 0});
-    return oriented(y() - d, turn.R * R() * n);
+    const Rigid rotation = motion(tilt, {0, 0, 0});
+    return oriented(y() - d, rotation.R * R() * n);
   }
   NormalEquations sums(double scale = kScale, double gate = 0.7) const {
     NormalEquations out;
@@ -110,10 +110,10 @@ TEST(PlaneToPlane, LeavesOutFarPairsOtherNormalsAndNone) {
   EXPECT_EQ(match.sums().inliers, 1);
   EXPECT_EQ(match.sums(0.005).inliers, 0);
   NormalEquations none;
-  Match turned = match;
-  turned.tilt = 35 * (match.R() * match.n).unitOrthogonal();  // cosine 0.82
-  EXPECT_EQ(turned.sums(kScale, 0.8).inliers, 1);
-  EXPECT_EQ(turned.sums(kScale, 0.84).inliers, 0);
+  Match tilted = match;
+  tilted.tilt = 35 * (match.R() * match.n).unitOrthogonal();  // cosine 0.82
+  EXPECT_EQ(tilted.sums(kScale, 0.8).inliers, 1);
+  EXPECT_EQ(tilted.sums(kScale, 0.84).inliers, 0);
   SurfacePoint bare = match.source();
   bare.n[0] = bare.n[1] = bare.n[2] = std::nanf("");
   PlaneToPlane(match.pose, kScale, kEps, 0).add(bare, match.target(), none);
@@ -126,8 +126,8 @@ TEST(Moved, IsTheExponentialOnTheLeftAndStaysARotation) {
   const Rigid pose = motion({20, -30, 50}, {0.1, -0.2, 0.05});
   const double x[6] = {0.3, -0.1, 0.2, 0.01, 0.02, -0.03};
   const Rigid out = emtr::moved(pose, x);
-  const Rigid turn = motion(Eigen::Vector3d(x[0], x[1], x[2]) * 180 / M_PI, {x[3], x[4], x[5]});
-  const Eigen::Matrix3d wanted = turn.R * pose.R;
+  const Rigid rotation = motion(Eigen::Vector3d(x[0], x[1], x[2]) * 180 / M_PI, {x[3], x[4], x[5]});
+  const Eigen::Matrix3d wanted = rotation.R * pose.R;
   EXPECT_LT((out.R - wanted).norm(), 1e-14);
   Rigid many = pose;
   for (int i = 0; i < 2000; ++i) many = emtr::moved(many, x);

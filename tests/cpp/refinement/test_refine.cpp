@@ -26,8 +26,8 @@ struct Refinement {
     truth = normalized.normalization.to_normalized(emtr::from_matrix(pair.pose()));
   }
 
-  emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& shift) const {
-    return emtr_test::compose(emtr_test::motion(degrees, shift), truth);
+  emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& translation) const {
+    return emtr_test::compose(emtr_test::motion(degrees, translation), truth);
   }
   Refined from(const emtr::Rigid& start,
                const emtr::Kernels& kernels = emtr::select_kernels()) const {

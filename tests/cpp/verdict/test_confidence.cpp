@@ -35,8 +35,8 @@ std::vector<Candidate> ranked(const std::vector<double>& scores) {
   return out;
 }
 
-Candidate at(double degrees, double score, double shift = 0) {
-  return candidate(emtr_test::motion({degrees, 0, 0}, {shift, 0, 0}), score);
+Candidate at(double degrees, double score, double translation = 0) {
+  return candidate(emtr_test::motion({degrees, 0, 0}, {translation, 0, 0}), score);
 }
 
 TEST(Confidence, TheGapIsToTheBestClearlyDifferentCandidate) {
@@ -118,7 +118,7 @@ TEST(Confidence, ConfidenceFallsWithTheViolationAtEqualScore) {
   }
 }
 
-TEST(Confidence, CrossingSurfacesLowerItAndFlushOnesDoNot) {
+TEST(Confidence, MismatchedSurfacesLowerItAndFlushOnesDoNot) {
   for (const double surface_mismatch : {-0.2, 0.0, 0.3, 0.7, std::nan("")})
     EXPECT_EQ(emtr::lower_confidence(0.9, surface_mismatch), 0.9) << surface_mismatch;
   double before = 0.9;

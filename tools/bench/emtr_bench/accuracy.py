@@ -19,7 +19,7 @@ SMOKE_PAIRS, SMOKE_TRANSFORMS = 2, 2
 
 
 class Engine(Protocol):
-    """What is measured. A fake one stands in for pyemtr in the tests."""
+    """The library under measurement; tests use a fake one."""
 
     version: str
 
@@ -31,7 +31,7 @@ class Engine(Protocol):
         """Raises ValueError, naming it, when the preset or a setting is unknown."""
 
     def fitness(self, run: Run, options: Options) -> tuple[float, float]:
-        """Of the true and of the estimated pose, mean of rho over the dense clouds."""
+        """Returns the mean of rho over the dense clouds for the true and the estimated pose."""
 
 
 @dataclass(frozen=True)

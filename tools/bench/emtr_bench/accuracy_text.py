@@ -86,7 +86,7 @@ def footer(runs: list[Run], rows: list[PairSummary], average: Figures) -> str:
 
 
 def marks(rows: list[PairSummary]) -> list[str]:
-    """What falls short of the paper's mean and lowest success; empty when nothing does."""
+    """Names what is below the paper's mean and lowest success; empty when nothing is."""
     missed = []
     average = mean(row.figures.success for row in rows)
     if average < paper_tables.MEAN_SUCCESS:
@@ -167,7 +167,7 @@ def _class_success(runs: list[Run], kind: str) -> str:
 
 
 def _reasons(runs: list[Run]) -> str:
-    """How often the library gave each reason, right and wrong poses apart."""
+    """Counts the library's reasons, for right and wrong poses apart."""
     counts: dict[str, list[int]] = {}
     for run in runs:
         if run.outcome is not None:

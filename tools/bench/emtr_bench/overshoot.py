@@ -1,4 +1,4 @@
-"""How long a run goes on after its time limit, or after a signal."""
+"""Measures how long a run goes on after its time limit, or after a signal."""
 
 from __future__ import annotations
 

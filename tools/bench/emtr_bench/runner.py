@@ -31,7 +31,7 @@ Setting = Union[int, float, str, Array]
 
 @dataclass(frozen=True)
 class Options:
-    """How to register; the same for every run but the seed, which is base seed + index."""
+    """Options of a registration; the seed of run i is the base seed plus i."""
 
     preset: str = "default"
     seed: int = 0
@@ -43,7 +43,7 @@ class Options:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a register function says of one registration."""
+    """The outcome of one registration, as a register function returns it."""
 
     transformation: Array  # (4, 4), source into target; NaN when it has none
     registered: bool  # its own verdict
@@ -140,7 +140,7 @@ def pose_errors(case: Moved, T: Array) -> tuple[float, float]:
 
 
 def right(errors: tuple[float, float]) -> bool:
-    """Whether both errors of a pose are small enough; never for NaN."""
+    """Tells whether both errors of a pose are small enough; they never are for NaN."""
     return errors[0] < MAX_ROTATION_ERROR and errors[1] < MAX_TRANSLATION_ERROR
 
 

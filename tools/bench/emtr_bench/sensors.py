@@ -1,4 +1,4 @@
-"""Of which pairs it is known where the sensors stood: at the origin of each scan's coordinates."""
+"""Pairs whose sensors have known positions: the origin of each scan's coordinates."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ NOTHING = Spread(math.nan, math.nan)
 
 @dataclass(frozen=True)
 class Figures:
-    """What a row of the table says; NaN where there is nothing to take a mean of."""
+    """The figures of a table row; NaN for a mean of nothing."""
 
     success: float  # percent, E_R < 5 degrees: the paper's
     joint: float  # percent, E_t < 0.06 too
@@ -84,7 +84,7 @@ def figures(runs: list[Run]) -> Figures:
 
 
 class Judged(Protocol):
-    """What is asked of a run here; NaN is no confidence."""
+    """The parts of a run that are used here; NaN is no confidence."""
 
     @property
     def confidence(self) -> float: ...

@@ -49,7 +49,7 @@ def run(pairing: Pairing, register: Register, options: Options) -> Unrelated:
 
 
 def text(runs: list[Unrelated]) -> str:
-    """How many were called registered, and which."""
+    """Tells how many were called registered, and which."""
     taken = [run for run in runs if run.registered]
     lines = [f"unrelated scans: {len(taken)} of {len(runs)} called registered (none should be)"]
     lines += [
@@ -63,6 +63,6 @@ def text(runs: list[Unrelated]) -> str:
 
 
 def marks(runs: list[Unrelated]) -> list[str]:
-    """What falls short; empty when nothing does."""
+    """Names those that were called registered; empty when none was."""
     taken = sum(run.registered for run in runs)
     return [f"{taken} of {len(runs)} unrelated scans called registered"] if taken else []

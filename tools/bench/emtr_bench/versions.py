@@ -18,7 +18,7 @@ def first_line(*command: str, pick: str = "") -> str:
 
 
 def pcl_version() -> str:
-    """Of the installed PCL, whose pkg-config files may carry the version in their names."""
+    """Returns the version of PCL, whose pkg-config files may carry it in their names."""
     listed = first_line("pkg-config", "--list-all", pick="pcl_common")
     return UNKNOWN if listed == UNKNOWN else first_line(
         "pkg-config", "--modversion", listed.split()[0])  # fmt: skip

@@ -1,4 +1,4 @@
-"""What is changed in turn, and by which settings."""
+"""The variants that are compared, and their settings."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""How far the confidence can be believed."""
+"""Calibration of the confidence."""

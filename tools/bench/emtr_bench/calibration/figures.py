@@ -1,4 +1,4 @@
-"""What the judged runs say of the confidence."""
+"""Figures of the confidence, from runs with known poses."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Calibration:
 
 
 def calibration(runs: Sequence[Judged], bins: int) -> Calibration:
-    """Of one run at least."""
+    """Returns the figures of one run or more."""
     rows = [_bin(runs, index, bins) for index in range(bins)]
     gaps = [row.count * abs(row.confidence - row.right.value) for row in rows if row.count]
     registered = [run for run in runs if run.registered]

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Task:
-    """What a method is told beside the clouds."""
+    """Arguments of a method beside the clouds."""
 
     voxel: float  # user's unit
     threads: int

@@ -30,7 +30,7 @@ def tier_tables(title: str, runs: list[PeerRun]) -> str:
 
 
 def lost(runs: list[PeerRun]) -> str:
-    """What became of the runs that gave no pose; "" when there are none."""
+    """Tells why runs gave no pose; "" when there are no such runs."""
     lines = [f"  {r.method} on {r.pair.name}[{r.index}]: {r.error}" for r in runs if r.error]
     return "\n".join(["runs without a pose:", *lines]) if lines else ""
 

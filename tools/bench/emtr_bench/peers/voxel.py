@@ -28,7 +28,7 @@ def voxel_size(source: Array, target: Array, points: int) -> float:
 
 
 def occupied(points: Array, voxel: float) -> int:
-    """How many voxels have points in them."""
+    """Returns the number of voxels with points in them."""
     cells = np.floor((points - points.min(axis=0)) / voxel).astype(np.int64)
     _, rows, columns = cells.max(axis=0) + 1
     return len(np.unique((cells[:, 0] * rows + cells[:, 1]) * columns + cells[:, 2]))

@@ -105,6 +105,6 @@ def _programs(only: list[str]) -> Iterator[Program]:
 
 
 def _digest(sample: Path) -> str:
-    """Of the clouds, which another version of NumPy may make a little different."""
+    """Hashes the clouds, which another version of NumPy may make a little different."""
     clouds = b"".join((sample / f"{name}.pcd").read_bytes() for name in ("source", "target"))
     return hashlib.sha256(clouds).hexdigest()[:12]

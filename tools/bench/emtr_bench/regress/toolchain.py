@@ -1,4 +1,4 @@
-"""What the counts depend on beside the project's own code."""
+"""Versions of the tools and libraries that the counts depend on."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ class Part:
 
 
 def _accuracy(preset: str) -> dict[str, tuple[str, ...]]:
-    """What is measured of a preset, by name."""
+    """Returns the parts that measure a preset, by name."""
     if preset == "thorough":  # which searches twice on every pair
         return {"all": ("--tier", "all", "--transforms", "1")}
     many = "20" if preset == "default" else "4"  # motions; the paper has 20

@@ -50,7 +50,7 @@ def run(part: Part) -> str:
 
 
 def kept(part: Part) -> Kept | None:
-    """What the last run of a part has left; None when there is nothing whole."""
+    """Returns the record of a part's last run; None when there is no whole one."""
     beside = _beside(part.json)
     if not (_path(part.json).exists() and beside.exists()):
         return None
