@@ -24,7 +24,7 @@ struct Starts {
   std::vector<Rigid> seeds;    ///< of the correspondences
 };
 
-/// What the evolution has found.
+/// The result of an evolution.
 struct Evolution {
   /// The pbests of task alpha; empty when the run was stopped before the first.
   std::vector<Hypothesis> hypotheses;
