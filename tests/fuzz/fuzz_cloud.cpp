@@ -24,19 +24,19 @@ void preprocess(const emtr_cloud& cloud, const std::string& name) {
   emtr_preprocessed_info info;
   require(accepted(emtr_preprocessed_describe(preprocessed, &info, sizeof info)));
   require(info.points + info.dropped == cloud.count && info.points >= 10);
-  require(info.kept == info.points);  // too few to be downsampled
+  require(info.base_points == info.points);  // too few to be downsampled
   require(std::isfinite(info.radius) && info.radius > 0);
   for (const double value : info.center) require(std::isfinite(value));
   require(info.normals == (cloud.normals != nullptr));
-  require(info.feature_dimension == cloud.feature_dimension && info.described <= info.points);
-  require((info.described > 0) == (cloud.features != nullptr));
+  require(info.feature_dimension == cloud.feature_dimension && info.keypoints <= info.points);
+  require((info.keypoints > 0) == (cloud.features != nullptr));
 }
 
 /// Makes a view contradict itself.
 emtr_cloud contradiction(emtr_cloud cloud, fuzz::Input& input) {
   const std::size_t packed = cloud.scalar == EMTR_FLOAT32 ? 12 : 24;
-  const auto within = [&](std::size_t least, std::size_t most) {
-    return input.ConsumeIntegralInRange(least, most);
+  const auto within = [&](std::size_t low, std::size_t high) {
+    return input.ConsumeIntegralInRange(low, high);
   };
   switch (input.ConsumeIntegralInRange(0, 5)) {
     case 0:
