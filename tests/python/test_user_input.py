@@ -287,7 +287,7 @@ def test_what_is_wrong_is_named(given, error, pattern):
 
 
 def test_a_cloud_brings_its_own(known):
-    with pytest.raises(TypeError, match=r"source_normals: a pyemtr\.Cloud brings its own"):
+    with pytest.raises(TypeError, match=r"source_normals: a pyemtr\.Cloud has its own"):
         pyemtr.register(
             pyemtr.Cloud(known.source), known.target, source_normals=known.source, **QUICK
         )
