@@ -48,7 +48,7 @@ def test_says_what_came_out(report, tmp_path, pair):
         "inlier_rmse",
         "inlier_rmse_plane",
         "score",
-        "fit",
+        "surface_fit",
         "violation",
         "score_gap",
     }
@@ -95,9 +95,8 @@ def test_paper_has_no_candidates(run, clouds, tmp_path):
         report["alternatives"] == []
         and report["refined"] is report["used_fallback_search"] is False
     )
-    assert [report["quality"][name] for name in ("score", "fit", "violation", "score_gap")] == (
-        [None] * 4
-    )
+    judged = ("score", "surface_fit", "violation", "score_gap")
+    assert [report["quality"][name] for name in judged] == [None] * 4
     assert report["counts"]["iterations"] == 100 and report["counts"]["candidates"] == 0
 
 
@@ -123,9 +122,8 @@ def test_times_and_costs_add_up(report):
     assert min(stages) >= 0 and sum(stages) == pytest.approx(seconds["total"])
     assert (seconds["fallback_search"] > 0) == report["used_fallback_search"]
     assert seconds["load_source"] > 0 and seconds["load_target"] > 0
-    assert (
-        report["normalization"]["scale"] > 0 and len(report["normalization"]["center_source"]) == 3
-    )
+    normalization = report["normalization"]
+    assert normalization["normalization_scale"] > 0 and len(normalization["center_source"]) == 3
 
 
 def test_is_strict_json_when_a_value_is_unknown(run, small, tmp_path):
