@@ -66,8 +66,7 @@ class CachedCloud {
     if (packed_.size() != 3 * cloud.size()) return false;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       const float p[3] = {cloud[i].x, cloud[i].y, cloud[i].z};
-      // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bit by bit, so that a NaN equals
-      // itself
+      // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bit by bit, a NaN equals itself
       if (std::memcmp(p, &packed_[3 * i], sizeof p) != 0) return false;
     }
     return true;

@@ -65,9 +65,9 @@ void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::setCorrespondences(
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 std::string EMTRSSCRegistration<PointSource, PointTarget, Scalar>::checkUserInput() const {
-  const std::string source = source_user_input_.mismatch("source", input_->size());
+  std::string source = source_user_input_.mismatch("source", input_->size());
   if (!source.empty()) return source;
-  const std::string target = target_user_input_.mismatch("target", target_->size());
+  std::string target = target_user_input_.mismatch("target", target_->size());
   if (!target.empty() || selectsAll()) return target;
   // Only rows of the source can be renumbered; the library checks all that it gets.
   for (std::size_t i = 0; i < pairs_.size(); i += 2)
