@@ -26,9 +26,13 @@ class Layers {
  public:
   explicit Layers(float leaf)
       : inverse_(1.0f / leaf), half_(static_cast<int>(std::ceil(inverse_)) + 1) {}
-  std::size_t size() const { return static_cast<std::size_t>(2 * half_ + 1); }
+  std::size_t size() const {
+    const int layers = 2 * half_ + 1;
+    return static_cast<std::size_t>(layers);
+  }
   std::size_t of(float v) const {
-    return static_cast<std::size_t>(voxel_index(v, inverse_) + half_);
+    const int layer = voxel_index(v, inverse_) + half_;
+    return static_cast<std::size_t>(layer);
   }
 
  private:
