@@ -31,6 +31,7 @@ Json next_element(emtr_field_type type, const char*& from) {
       return take(std::int32_t());
     case EMTR_FIELD_SWITCH:
       return take(std::int32_t()) != 0;
+    // NOLINTNEXTLINE(bugprone-branch-clone): two types on a machine of 32 bits
     case EMTR_FIELD_SIZE:
       return take(std::size_t());
     case EMTR_FIELD_UINT64:
