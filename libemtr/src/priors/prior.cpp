@@ -48,7 +48,7 @@ Rigid Prior::attempt(const RotationLimits& rotation, const TranslationLimits& tr
 
 Rigid Prior::project(const Rigid& pose) const {
   if (admits(pose)) return pose;
-  const Rigid found = attempt(rotation_, translation_, pose);
+  Rigid found = attempt(rotation_, translation_, pose);
   if (admits(found)) return found;
   const Quaterniond from(inside_.R), to(found.R);
   Rigid out = inside_;
