@@ -291,7 +291,7 @@ def test_a_cloud_brings_its_own(known):
         pyemtr.register(
             pyemtr.Cloud(known.source), known.target, source_normals=known.source, **QUICK
         )
-    with pytest.raises(TypeError, match=r"target_features: a pyemtr\.Cloud brings its own"):
+    with pytest.raises(TypeError, match=r"target_features: a pyemtr\.Cloud has its own"):
         pyemtr.register(
             known.source, pyemtr.Cloud(known.target), target_features=known.target, **QUICK
         )
