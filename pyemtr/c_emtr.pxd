@@ -84,13 +84,7 @@ cdef extern from "emtr/emtr.h" nogil:
     ctypedef int (*emtr_progress_fn)(const emtr_progress* progress, void* user) noexcept
 
     ctypedef enum emtr_reason:
-        EMTR_REASON_REGISTERED
-        EMTR_REASON_LOW_OVERLAP
-        EMTR_REASON_AMBIGUOUS
-        EMTR_REASON_FEW_MATCHES
-        EMTR_REASON_INTERRUPTED
-        EMTR_REASON_DEGENERATE
-        EMTR_REASON_TIME_LIMIT
+        pass
 
     const char* emtr_reason_name(emtr_reason reason)
     const char* emtr_reason_text(emtr_reason reason)
@@ -100,39 +94,32 @@ cdef extern from "emtr/emtr.h" nogil:
         double score
 
     ctypedef struct emtr_result:
-        double transformation[16]
-        int32_t registered
-        emtr_reason reason
-        double fitness, inlier_ratio_source, inlier_ratio_target, fitness_gap
-        double overlap_source, overlap_target, inlier_rmse, inlier_rmse_plane
-        size_t points_source, points_target, dropped_source, dropped_target
-        size_t sparse_source, sparse_target, dense_source, dense_target
-        size_t correspondences, correspondences_found, tims, tims_pruned
-        uint64_t queries_evaluation, queries_switch, queries_complement
-        double normalization_scale
-        double center_source[3]
-        double center_target[3]
-        double leaf_sparse, leaf_dense, leaf_fine
-        double seconds_normalization, seconds_downsampling, seconds_features, seconds_matching
-        double seconds_evolution, seconds_verdict, seconds_total
-        size_t iterations
-        const double* history_alpha
-        const double* history_beta
-        uint64_t seed
-        int32_t threads
-        const char* kernel
-        double confidence, score, surface_fit, violation, score_gap
-        size_t seeds, candidates
-        int32_t used_fallback_search, refined
-        size_t alternative_count
-        const emtr_alternative* alternatives
-        double information[36]
-        double hessian_eigenvalues[6]
-        double hessian_eigenvectors[36]
-        int32_t unconstrained_directions
-        double seconds_seeds, seconds_candidates, seconds_fallback_search, seconds_refinement
+        pass
 
     void emtr_result_free(emtr_result* result)
+
+    ctypedef enum emtr_field_type:
+        EMTR_FIELD_REAL
+        EMTR_FIELD_INT32
+        EMTR_FIELD_SWITCH
+        EMTR_FIELD_SIZE
+        EMTR_FIELD_UINT64
+        EMTR_FIELD_TEXT
+        EMTR_FIELD_REASON
+        EMTR_FIELD_ALTERNATIVE
+
+    ctypedef struct emtr_result_field_info:
+        const char* name
+        const char* group
+        const char* key
+        emtr_field_type type
+        size_t offset
+        size_t rows
+        size_t columns
+        size_t count_offset
+
+    size_t emtr_result_field_count()
+    emtr_status emtr_result_field_describe(size_t index, emtr_result_field_info* info, size_t size)
 
     emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
                                const double* transformation, int32_t threads,

@@ -1,57 +1,65 @@
-# Turns an emtr_result into a dict of plain Python values.
+# Turns an emtr_result into plain Python values, by the library's own description of its fields.
 
-cdef dict fields(const emtr_result* r):
-    return {
-        "transformation": listed(r.transformation, 16),
-        "registered": bool(r.registered),
-        "reason": emtr_reason_name(r.reason).decode(),
-        "reason_text": emtr_reason_text(r.reason).decode(),
-        "fitness": r.fitness,
-        "inlier_ratio_source": r.inlier_ratio_source,
-        "inlier_ratio_target": r.inlier_ratio_target,
-        "fitness_gap": r.fitness_gap,
-        "overlap_source": r.overlap_source,
-        "overlap_target": r.overlap_target,
-        "inlier_rmse": r.inlier_rmse,
-        "inlier_rmse_plane": r.inlier_rmse_plane,
-        "points_source": r.points_source, "points_target": r.points_target,
-        "dropped_source": r.dropped_source, "dropped_target": r.dropped_target,
-        "sparse_source": r.sparse_source, "sparse_target": r.sparse_target,
-        "dense_source": r.dense_source, "dense_target": r.dense_target,
-        "correspondences": r.correspondences,
-        "correspondences_found": r.correspondences_found,
-        "tims": r.tims, "tims_pruned": r.tims_pruned,
-        "queries": {"evaluation": r.queries_evaluation, "switch": r.queries_switch,
-                    "complement": r.queries_complement},
-        "normalization_scale": r.normalization_scale,
-        "center_source": listed(r.center_source, 3),
-        "center_target": listed(r.center_target, 3),
-        "leaf_sparse": r.leaf_sparse, "leaf_dense": r.leaf_dense, "leaf_fine": r.leaf_fine,
-        "timings": {"normalization": r.seconds_normalization,
-                    "downsampling": r.seconds_downsampling,
-                    "features": r.seconds_features, "matching": r.seconds_matching,
-                    "seeds": r.seconds_seeds, "evolution": r.seconds_evolution,
-                    "candidates": r.seconds_candidates,
-                    "fallback_search": r.seconds_fallback_search,
-                    "refinement": r.seconds_refinement, "verdict": r.seconds_verdict,
-                    "total": r.seconds_total},
-        "iterations": r.iterations,
-        "history": {"alpha": listed(r.history_alpha, r.iterations),
-                    "beta": listed(r.history_beta, r.iterations)},
-        "seed": r.seed,
-        "threads": r.threads,
-        "kernel": r.kernel.decode(),
-        "confidence": r.confidence, "score": r.score, "surface_fit": r.surface_fit,
-        "violation": r.violation, "score_gap": r.score_gap,
-        "seeds": r.seeds, "candidates": r.candidates,
-        "used_fallback_search": bool(r.used_fallback_search), "refined": bool(r.refined),
-        "alternatives": [(listed(r.alternatives[i].transformation, 16), r.alternatives[i].score)
-                         for i in range(r.alternative_count)],
-        "information": listed(r.information, 36),
-        "hessian_eigenvalues": listed(r.hessian_eigenvalues, 6),
-        "hessian_eigenvectors": listed(r.hessian_eigenvectors, 36),
-        "unconstrained_directions": r.unconstrained_directions if r.refined else None,
-    }
+FIELD_TYPES = {EMTR_FIELD_REAL: "real", EMTR_FIELD_INT32: "int32", EMTR_FIELD_SWITCH: "switch",
+               EMTR_FIELD_SIZE: "size", EMTR_FIELD_UINT64: "uint64", EMTR_FIELD_TEXT: "text",
+               EMTR_FIELD_REASON: "reason", EMTR_FIELD_ALTERNATIVE: "alternative"}
+
+
+def describe_result():
+    """Returns for each field (name, group, key, type, rows, columns)."""
+    cdef emtr_result_field_info info
+    found = []
+    for index in range(emtr_result_field_count()):
+        check(emtr_result_field_describe(index, &info, sizeof(info)))
+        found.append((info.name.decode(), info.group.decode(), info.key.decode(),
+                      FIELD_TYPES[info.type], info.rows, info.columns))
+    return found
+
+
+cdef dict fields(const emtr_result* result):
+    cdef emtr_result_field_info info
+    values = {}
+    for index in range(emtr_result_field_count()):
+        check(emtr_result_field_describe(index, &info, sizeof(info)))
+        values[info.name.decode()] = field(&info, <const char*>result)
+    return values
+
+
+cdef object field(const emtr_result_field_info* info, const char* result):
+    cdef const char* values = result + info.offset
+    cdef size_t count = info.rows * info.columns
+    if info.columns == 0:
+        count = (<const size_t*>(result + info.count_offset))[0]
+        values = (<const char* const*>values)[0]
+    elif count == 1:
+        return element(info.type, values, 0)
+    return [element(info.type, values, i) for i in range(count)]
+
+
+cdef object element(emtr_field_type type, const char* values, size_t i):
+    cdef const emtr_alternative* pose
+    cdef emtr_reason reason
+    cdef int32_t number
+    if type == EMTR_FIELD_REAL:
+        return (<const double*>values)[i]
+    if type == EMTR_FIELD_INT32:
+        number = (<const int32_t*>values)[i]
+        return None if number < 0 else number
+    if type == EMTR_FIELD_SWITCH:
+        return (<const int32_t*>values)[i] != 0
+    if type == EMTR_FIELD_SIZE:
+        return (<const size_t*>values)[i]
+    if type == EMTR_FIELD_UINT64:
+        return (<const uint64_t*>values)[i]
+    if type == EMTR_FIELD_TEXT:
+        return (<const char* const*>values)[i].decode()
+    if type == EMTR_FIELD_REASON:
+        reason = (<const emtr_reason*>values)[i]
+        return emtr_reason_name(reason).decode(), emtr_reason_text(reason).decode()
+    if type == EMTR_FIELD_ALTERNATIVE:
+        pose = &(<const emtr_alternative*>values)[i]
+        return listed(pose.transformation, 16), pose.score
+    raise RuntimeError(f"a result field of the unknown type {type}")
 
 
 cdef dict finish(emtr_status status, Watch watch, emtr_result* result):

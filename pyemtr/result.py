@@ -10,9 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _emtr
 from .alternative import Alternative
 from .arrays import Floats, as_points
 from .distances import residuals
+
+# The dict of a group whose fields are named after it, where it has another name than the group.
+ATTRIBUTES = {"seconds": "timings"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -155,7 +159,7 @@ class Result:
     def to_dict(self) -> dict[str, Any]:
         """Returns all fields as JSON values: lists for arrays, None for NaN and infinities, a dict
         with "transformation" and "score" for each alternative."""
-        return {field.name: _json(getattr(self, field.name)) for field in fields(self)}
+        return {name: _json(value) for name, value in vars(self).items()}
 
     def __repr__(self) -> str:
         verdict = "registered" if self.registered else f"not registered ({self.reason_text})"
@@ -178,19 +182,28 @@ class Result:
 
 
 def make_result(raw: Mapping[str, Any], settings: dict[str, Any]) -> Result:
-    """Returns a Result made of the extension's fields."""
-    values = dict(raw)
-    values["transformation"] = _matrix(raw["transformation"], 4)
-    values["center_source"] = _vector(raw["center_source"])
-    values["center_target"] = _vector(raw["center_target"])
-    values["alternatives"] = [
-        Alternative(_matrix(pose, 4), score) for pose, score in raw["alternatives"]
-    ]
-    values["information"] = _matrix(raw["information"], 6)
-    values["hessian_eigenvalues"] = _vector(raw["hessian_eigenvalues"])
-    values["hessian_eigenvectors"] = _matrix(raw["hessian_eigenvectors"], 6)
-    values["history"] = {task: _vector(best) for task, best in raw["history"].items()}
-    return Result(settings=settings, **values)
+    """Returns a Result made of the extension's values, by the library's table of the fields."""
+    values: dict[str, Any] = {}
+    for name, group, key, kind, rows, columns in _emtr.describe_result():
+        value = _field(raw[name], kind, rows, columns)
+        if key != name:
+            values.setdefault(ATTRIBUTES.get(group, group), {})[key] = value
+        elif kind == "reason":
+            values[name], values[f"{name}_text"] = value
+        else:
+            values[name] = value
+    declared = {field.name for field in fields(Result)}
+    result = Result(settings=settings, **{n: v for n, v in values.items() if n in declared})
+    vars(result).update(values)  # those too that the library has and the class does not declare
+    return result
+
+
+def _field(value: Any, kind: str, rows: int, columns: int) -> Any:
+    if kind == "alternative":
+        return [Alternative(_matrix(pose, 4), score) for pose, score in value]
+    if not isinstance(value, list):
+        return value
+    return _matrix(value, rows) if rows > 1 else _vector(value)
 
 
 def _vector(values: Any) -> NDArray[np.float64]:
@@ -198,7 +211,7 @@ def _vector(values: Any) -> NDArray[np.float64]:
 
 
 def _matrix(values: Any, rows: int) -> NDArray[np.float64]:
-    return _vector(values).reshape(rows, rows)
+    return _vector(values).reshape(rows, -1)
 
 
 def _json(value: Any) -> Any:

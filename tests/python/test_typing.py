@@ -110,6 +110,7 @@ def test_the_stub_is_true_to_the_extension(tmp_path):
         "__setstate_cython__",
         "__test__",
         "ARRAYS",
+        "FIELD_TYPES",
         "SETTING_TYPES",
         "CloudBuffer",
         "Interrupt",

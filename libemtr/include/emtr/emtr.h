@@ -462,7 +462,7 @@ EMTR_API const char* emtr_reason_name(emtr_reason reason);
 
 typedef enum emtr_field_type {
   EMTR_FIELD_REAL = 0,       /* double */
-  EMTR_FIELD_INT32 = 1,      /* int32_t */
+  EMTR_FIELD_INT32 = 1,      /* int32_t, -1 where there is none */
   EMTR_FIELD_SWITCH = 2,     /* int32_t, 0 or 1 */
   EMTR_FIELD_SIZE = 3,       /* size_t */
   EMTR_FIELD_UINT64 = 4,     /* uint64_t */
