@@ -34,6 +34,11 @@ class Inputs:
     target_features: Any = None
     correspondences: Any = None
 
+    @classmethod
+    def among(cls, arguments: Mapping[str, Any]) -> Inputs:
+        """Returns the inputs among a callable's arguments, which are its ``locals()`` at first."""
+        return cls(**{field.name: arguments[field.name] for field in fields(cls)})
+
     def settings(self, changes: Mapping[str, Value]) -> _emtr.Settings:
         """Returns the preset with the changes, the priors and the correspondences.
 

@@ -51,21 +51,7 @@ class Problem(ProblemViews):
         correspondences: Any = None,
         **settings: Value,
     ) -> None:
-        inputs = Inputs(
-            seed=seed,
-            threads=threads,
-            preset=preset,
-            guess=guess,
-            source_viewpoint=source_viewpoint,
-            target_viewpoint=target_viewpoint,
-            axis=axis,
-            translation_bounds=translation_bounds,
-            source_normals=source_normals,
-            target_normals=target_normals,
-            source_features=source_features,
-            target_features=target_features,
-            correspondences=correspondences,
-        )
+        inputs = Inputs.among(locals())
         chosen = inputs.settings(settings)
         self.settings: dict[str, Any] = settings_used(chosen)
         self._raw = _emtr.Problem(*inputs.clouds(source, target), chosen)

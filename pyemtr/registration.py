@@ -91,21 +91,7 @@ def register(
         MemoryError: an allocation failed.
         RuntimeError: a defect of the library.
     """
-    inputs = Inputs(
-        seed=seed,
-        threads=threads,
-        preset=preset,
-        guess=guess,
-        source_viewpoint=source_viewpoint,
-        target_viewpoint=target_viewpoint,
-        axis=axis,
-        translation_bounds=translation_bounds,
-        source_normals=source_normals,
-        target_normals=target_normals,
-        source_features=source_features,
-        target_features=target_features,
-        correspondences=correspondences,
-    )
+    inputs = Inputs.among(locals())
     chosen = inputs.settings(settings)
     raw = _emtr.register(*inputs.clouds(source, target), chosen, as_raw_callback(callback))
     return make_result(raw, settings_used(chosen))
