@@ -4,13 +4,14 @@ namespace emtr {
 
 void Progress::enter(Stage stage) {
   leave();
-  if (token_.tell({stage_name(stage), 0, iterations_, 0, 0})) throw Cancelled();
+  if (token_.report_progress({stage_name(stage), 0, iterations_, 0, 0})) throw Cancelled();
   stopwatch_.lap();  // the caller's own time is no stage's
   stage_ = stage;
 }
 
 bool Progress::iterated(int done, double best_alpha, double best_beta) {
-  return token_.tell({stage_name(Stage::Evolution), done, iterations_, best_alpha, best_beta});
+  return token_.report_progress(
+      {stage_name(Stage::Evolution), done, iterations_, best_alpha, best_beta});
 }
 
 void Progress::leave() {

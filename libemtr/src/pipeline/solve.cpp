@@ -53,7 +53,7 @@ std::unique_ptr<Result> solve(const Problem& problem, CancellationToken& token) 
   if (found.pose) judge_pose(problem, found);
   auto result = make_result(problem, found);
   if (found.stopped)
-    result->reason = token.late() ? EMTR_REASON_TIME_LIMIT : EMTR_REASON_INTERRUPTED;
+    result->reason = token.timed_out() ? EMTR_REASON_TIME_LIMIT : EMTR_REASON_INTERRUPTED;
   return result;
 }
 

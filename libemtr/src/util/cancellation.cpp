@@ -17,9 +17,9 @@ CancellationToken::CancellationToken(OnProgress on_progress, double seconds,
                                      Clock::duration interval)
     : on_progress_(std::move(on_progress)), time_limit_(seconds), interval_(interval) {}
 
-bool CancellationToken::tell(const emtr_progress& progress) {
+bool CancellationToken::report_progress(const emtr_progress& progress) {
   progress_ = progress;
-  return stopped() || ask_caller(Clock::now());
+  return cancelled() || ask_caller(Clock::now());
 }
 
 void CancellationToken::ask_when_due() {
@@ -34,15 +34,15 @@ bool CancellationToken::ask_caller(Clock::time_point now) {
     try {
       stop = on_progress_(progress_);
     } catch (...) {
-      stopped_.store(true, std::memory_order_relaxed);  // the helpers too end their work
+      cancelled_.store(true, std::memory_order_relaxed);  // the helpers too end their work
       throw;
     }
   }
   last_asked_ = Clock::now();  // leaves the time that the callback took out of the interval
   if (!stop && time_limit_ > 0 &&
       std::chrono::duration<double>(now - start_).count() >= time_limit_)
-    stop = late_ = true;
-  if (stop) stopped_.store(true, std::memory_order_relaxed);
+    stop = timed_out_ = true;
+  if (stop) cancelled_.store(true, std::memory_order_relaxed);
   return stop;
 }
 
@@ -58,7 +58,7 @@ CancellationToken* CancellationScope::current() { return current_on_thread.token
 void check_cancelled() {
   const Current& current = current_on_thread;
   if (!current.token) return;
-  if (current.token->stopped()) throw Cancelled();
+  if (current.token->cancelled()) throw Cancelled();
   if (current.owner) current.token->ask_when_due();
 }
 

@@ -31,11 +31,11 @@ class CancellationToken {
                              Clock::duration interval = std::chrono::milliseconds(20));
 
   /// Reports where the run is, at once. Returns whether the run is cancelled.
-  bool tell(const emtr_progress& progress);
+  bool report_progress(const emtr_progress& progress);
 
-  bool stopped() const { return stopped_.load(std::memory_order_relaxed); }
+  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
   /// Tells whether the time limit, and not the caller, cancelled the run.
-  bool late() const { return late_; }
+  bool timed_out() const { return timed_out_; }
 
  private:
   friend void check_cancelled();
@@ -49,8 +49,8 @@ class CancellationToken {
   const Clock::time_point start_ = Clock::now();
   Clock::time_point last_asked_ = start_;
   emtr_progress progress_ = {stage_name(Stage::Normalization), 0, 0, 0, 0};
-  std::atomic<bool> stopped_{false};
-  bool late_ = false;
+  std::atomic<bool> cancelled_{false};
+  bool timed_out_ = false;
 };
 
 /// Makes a token current on this thread, so that the inner loops need not pass it down through

@@ -50,7 +50,7 @@ void ThreadTeam::with(int threads, const std::function<void(ThreadTeam&)>& body)
 
 bool ThreadTeam::serves(int threads) const {
   return threads > 1 && size() <= static_cast<std::size_t>(threads) && !job_ &&
-         watch_ == CancellationScope::current();
+         token_ == CancellationScope::current();
 }
 
 /// One thread after the other, while nobody else takes memory: a thread whose first allocation
@@ -78,7 +78,7 @@ void ThreadTeam::parallel(std::size_t n, const Job& job) {
   wait_for_helpers();
   job_ = nullptr;
   if (failure_) std::rethrow_exception(failure_);
-  if (watch_ && watch_->stopped()) throw Cancelled();
+  if (token_ && token_->cancelled()) throw Cancelled();
 }
 
 /// Meanwhile the run's own thread goes on asking its caller.
@@ -86,7 +86,7 @@ void ThreadTeam::wait_for_helpers() {
   std::unique_lock<std::mutex> lock(mutex_);
   open_ = false;
   const auto done = [this] { return busy_ == 0; };
-  while (watch_ && !failure_ && !idle_.wait_for(lock, std::chrono::milliseconds(10), done)) {
+  while (token_ && !failure_ && !idle_.wait_for(lock, std::chrono::milliseconds(10), done)) {
     lock.unlock();
     try {
       check_cancelled();
@@ -104,7 +104,7 @@ void ThreadTeam::follow(std::size_t thread) {
   const BlockedSignals blocked;
   const DefaultArithmetic arithmetic;
   const bool owner = false;
-  const CancellationScope watched(watch_, owner);
+  const CancellationScope scope(token_, owner);
   std::unique_lock<std::mutex> lock(mutex_);
   for (std::size_t seen = 0;;) {
     wake_.wait(lock, [&] { return dismissed_ || (open_ && round_ != seen); });

@@ -41,7 +41,7 @@ class ThreadTeam {
   void dismiss();
 
   const std::size_t threads_;
-  CancellationToken* const watch_ = CancellationScope::current();
+  CancellationToken* const token_ = CancellationScope::current();
   std::mutex mutex_;
   std::condition_variable wake_, idle_;
   const Job* job_ = nullptr;

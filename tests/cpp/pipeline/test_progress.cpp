@@ -49,7 +49,7 @@ TEST(Progress, AStageThatTheCallerStopsDoesNotBegin) {
   }
   EXPECT_GT(seconds[Stage::Features], 0);
   EXPECT_EQ(seconds[Stage::Matching], 0);
-  EXPECT_TRUE(token.stopped());
+  EXPECT_TRUE(token.cancelled());
 }
 
 TEST(Progress, AnIterationMayEndTheRun) {

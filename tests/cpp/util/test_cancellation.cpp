@@ -39,16 +39,16 @@ emtr::Settings through_all_stages(int threads) {
 }
 
 ResultPtr run(const emtr_cloud& source, const emtr_cloud& target, const emtr::Settings& settings,
-              CancellationToken& watch) {
+              CancellationToken& token) {
   emtr::InputCloud from{&source, nullptr}, to{&target, nullptr};
-  const auto problem = emtr::make_problem(from, to, settings, watch);
-  return emtr::solve(*problem, watch);
+  const auto problem = emtr::make_problem(from, to, settings, token);
+  return emtr::solve(*problem, token);
 }
 
 ResultPtr run(const Pair& pair, const emtr::Settings& settings, const OnProgress& on_progress,
               CancellationToken::Clock::duration every = kAlways) {
-  CancellationToken watch(on_progress, 0, every);
-  return run(pair.source(), pair.target(), settings, watch);
+  CancellationToken token(on_progress, 0, every);
+  return run(pair.source(), pair.target(), settings, token);
 }
 
 bool same_pose(const emtr::Result& a, const emtr::Result& b) {
@@ -114,9 +114,9 @@ TEST(CancellationToken, IsAskedWhileUserInputIsRead) {
     ++polls[p.stage];
     return p.stage == std::string("matching");
   };
-  CancellationToken watch(stop_after_features, 0, kAlways);
+  CancellationToken token(stop_after_features, 0, kAlways);
   emtr::InputCloud from{&source, nullptr}, to{&target, nullptr};
-  const auto problem = emtr::make_problem(from, to, settings, watch);
+  const auto problem = emtr::make_problem(from, to, settings, token);
   EXPECT_TRUE(problem->stopped);
   EXPECT_GE(polls["normalization"], 2 * points / 256);
   EXPECT_GE(polls["features"], points / 1024);
@@ -124,8 +124,8 @@ TEST(CancellationToken, IsAskedWhileUserInputIsRead) {
 
 TEST(CancellationToken, AsksTheCallerWhileItsHelpersWork) {
   int asked = 0;
-  CancellationToken watch([&](const emtr_progress&) { return ++asked == 5; }, 0, kAlways);
-  const CancellationScope watched(&watch);
+  CancellationToken token([&](const emtr_progress&) { return ++asked == 5; }, 0, kAlways);
+  const CancellationScope scope(&token);
   std::atomic<int> here{0};
   const auto job = [&](std::size_t, std::size_t thread) {
     for (++here; here < 2;) std::this_thread::yield();  // until each thread has one of the two
@@ -133,8 +133,8 @@ TEST(CancellationToken, AsksTheCallerWhileItsHelpersWork) {
   };
   EXPECT_THROW(ThreadTeam::with(2, [&](ThreadTeam& team) { team.parallel(2, job); }), Cancelled);
   EXPECT_EQ(asked, 5);
-  EXPECT_TRUE(watch.stopped());
-  EXPECT_FALSE(watch.late());
+  EXPECT_TRUE(token.cancelled());
+  EXPECT_FALSE(token.timed_out());
 }
 
 TEST(CancellationToken, NobodyIsAskedOutsideOfARun) { EXPECT_NO_THROW(emtr::check_cancelled()); }
@@ -283,10 +283,10 @@ TEST(CancellationToken, ACallbackMayRegisterTheCloudsOfTheRun) {
                           undisturbed(pair)));
     return false;
   };
-  CancellationToken watch(nested, 0, kAlways);
+  CancellationToken token(nested, 0, kAlways);
   emtr::InputCloud from{nullptr, source}, to{nullptr, target};
-  const auto problem = emtr::make_problem(from, to, settings, watch);
-  EXPECT_TRUE(same_pose(*emtr::solve(*problem, watch), undisturbed(pair)));
+  const auto problem = emtr::make_problem(from, to, settings, token);
+  EXPECT_TRUE(same_pose(*emtr::solve(*problem, token), undisturbed(pair)));
   EXPECT_GE(asked, 40u);
 }
 

@@ -64,8 +64,8 @@ TEST(ThreadTeam, ThrowsWhatItsBodyThrows) {
 /// The calling thread has no job left while a helper works on; it asks its caller nevertheless.
 TEST(ThreadTeam, AsksItsCallerWhileHelpersWork) {
   std::atomic<int> asked{0};
-  emtr::CancellationToken watch([&](const emtr_progress&) { return ++asked >= 3; }, 0, {});
-  const emtr::CancellationScope watched(&watch);
+  emtr::CancellationToken token([&](const emtr_progress&) { return ++asked >= 3; }, 0, {});
+  const emtr::CancellationScope scope(&token);
   std::atomic<bool> helped{false};
   const auto run = [&] {
     ThreadTeam::with(2, [&](ThreadTeam& team) {
@@ -88,9 +88,9 @@ TEST(ThreadTeam, AsksItsCallerWhileHelpersWork) {
 }
 
 TEST(ThreadTeam, ThrowsWhatTheCallerThrowsWhenAsked) {
-  emtr::CancellationToken watch(
+  emtr::CancellationToken token(
       [](const emtr_progress&) -> bool { throw std::domain_error("caller"); }, 0, {});
-  const emtr::CancellationScope watched(&watch);
+  const emtr::CancellationScope scope(&token);
   const auto until_stopped = [](std::size_t, std::size_t) {
     for (;;) {
       emtr::check_cancelled();
@@ -143,8 +143,8 @@ TEST(ThreadTeam, IsTheTeamOfABodyInsideItsBody) {
 
 TEST(ThreadTeam, IsNotTheTeamOfAnotherRunInsideItsBody) {
   ThreadTeam::with(3, [](ThreadTeam& team) {
-    emtr::CancellationToken watch(nullptr);
-    const emtr::CancellationScope watched(&watch);
+    emtr::CancellationToken token(nullptr);
+    const emtr::CancellationScope scope(&token);
     ThreadTeam::with(3, [&](ThreadTeam& inner) { EXPECT_NE(&inner, &team); });
   });
 }
