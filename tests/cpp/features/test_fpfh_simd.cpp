@@ -4,7 +4,7 @@
 
 #include "correspondences/matching.h"
 #include "support/dense.h"
-#include "support/overlap.h"
+#include "support/feature_difference.h"
 
 namespace {
 
@@ -13,8 +13,8 @@ using emtr::FeatureBackend;
 using emtr::FeatureDefinition;
 using emtr::Features;
 using emtr_test::Dense;
-using emtr_test::feature_overlap;
-using emtr_test::Overlap;
+using emtr_test::feature_difference;
+using emtr_test::FeatureDifference;
 
 Features described(const Cloud& cloud, FeatureDefinition definition, FeatureBackend backend,
                    const emtr::Kernels& kernels = emtr::select_kernels()) {
@@ -33,14 +33,14 @@ Cloud rotated(const Cloud& cloud) {
 /// Points that share all their neighbors have one normal but for rounding, and that rounding
 /// chooses the sign of PCL's third angle: rotate the cloud, and PCL disagrees with itself. So that
 /// is the measure for how far the kernels may disagree with it.
-void expect_overlap(const Cloud& cloud, const FeatureDefinition& definition) {
+void expect_small_difference(const Cloud& cloud, const FeatureDefinition& definition) {
   const Features pcl = described(cloud, definition, FeatureBackend::Pcl);
   const Features simd = described(cloud, definition, FeatureBackend::Simd);
-  const Overlap both = feature_overlap(pcl, simd);
-  const Overlap itself =
-      feature_overlap(pcl, described(rotated(cloud), definition, FeatureBackend::Pcl));
-  const Overlap simd_itself =
-      feature_overlap(simd, described(rotated(cloud), definition, FeatureBackend::Simd));
+  const FeatureDifference both = feature_difference(pcl, simd);
+  const FeatureDifference itself =
+      feature_difference(pcl, described(rotated(cloud), definition, FeatureBackend::Pcl));
+  const FeatureDifference simd_itself =
+      feature_difference(simd, described(rotated(cloud), definition, FeatureBackend::Simd));
   testing::Test::RecordProperty("moved", std::to_string(both.share()));
   testing::Test::RecordProperty("largest", std::to_string(both.largest));
   EXPECT_EQ(both.only_one, 0u);
@@ -70,8 +70,8 @@ void expect_the_same_matches(const Dense& d) {
 
 TEST(FpfhSimd, AgreesWithPclOnGeneratedClouds) {
   const Dense d = emtr_test::dense(emtr_test::Pair(3));
-  expect_overlap(d.source, d.definition);
-  expect_overlap(d.target, d.definition);
+  expect_small_difference(d.source, d.definition);
+  expect_small_difference(d.target, d.definition);
   expect_the_same_matches(d);
 }
 
@@ -79,7 +79,7 @@ TEST(FpfhSimd, AgreesWithPclInAVolume) {  // neighbors on all sides
   FeatureDefinition definition;
   definition.normal_radius = 0.2;
   definition.feature_radius = 0.4;
-  expect_overlap(emtr_test::uniform_cloud(2000, 6), definition);
+  expect_small_difference(emtr_test::uniform_cloud(2000, 6), definition);
 }
 
 class FpfhSimdOnRealPairs : public testing::TestWithParam<const char*> {};
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Data, FpfhSimdOnRealPairs, testing::ValuesIn(emtr_test:
 TEST_P(FpfhSimdOnRealPairs, AgreesWithPcl) {
   if (!emtr_test::RealPair::available()) GTEST_SKIP() << "EMTR_DATA is not set";
   const Dense d = emtr_test::dense(emtr_test::RealPair(GetParam()));
-  expect_overlap(d.source, d.definition);
+  expect_small_difference(d.source, d.definition);
   expect_the_same_matches(d);
 }
 

@@ -8,8 +8,8 @@
 
 namespace emtr_test {
 
-/// How far two descriptions of the same points agree.
-struct Overlap {
+/// How far two descriptions of the same points differ.
+struct FeatureDifference {
   std::size_t entries = 0, moved = 0;  ///< of descriptors; moved by more than 1e-3 of 100
   std::size_t part_moved[3] = {0, 0, 0};
   std::size_t only_one = 0;    ///< points that have a normal or a descriptor in only one of both
@@ -25,8 +25,8 @@ struct Overlap {
   }
 };
 
-inline Overlap feature_overlap(const emtr::Features& a, const emtr::Features& b) {
-  Overlap out;
+inline FeatureDifference feature_difference(const emtr::Features& a, const emtr::Features& b) {
+  FeatureDifference out;
   for (std::size_t i = 0; i < a.descriptors.size(); ++i) {
     const float x = a.descriptors[i], y = b.descriptors[i];
     if (std::isnan(x) != std::isnan(y)) ++out.only_one;
