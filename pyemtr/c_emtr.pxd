@@ -159,11 +159,11 @@ cdef extern from "emtr/emtr.h" nogil:
     emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress, void* user,
                                    emtr_result** result)
 
-    ctypedef enum emtr_stage:
-        EMTR_STAGE_SPARSE
-        EMTR_STAGE_DENSE
+    ctypedef enum emtr_resolution:
+        EMTR_RESOLUTION_SPARSE
+        EMTR_RESOLUTION_DENSE
 
-    emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
+    emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_resolution resolution,
                                          const double* particles, size_t count, double* fitness)
     emtr_status emtr_task_beta_evaluate(emtr_problem* problem, const double* particles,
                                         size_t count, double* fitness)

@@ -57,7 +57,7 @@ cdef class Problem:
 
     def evaluate_alpha(self, bint dense, const double[:, ::1] particles, double[::1] fitness):
         cdef size_t count = particles.shape[0]
-        cdef emtr_stage stage = EMTR_STAGE_DENSE if dense else EMTR_STAGE_SPARSE
+        cdef emtr_resolution resolution = EMTR_RESOLUTION_DENSE if dense else EMTR_RESOLUTION_SPARSE
         cdef emtr_status status
         cdef Interrupt interrupt = Interrupt()
         cdef const double* genes
@@ -67,7 +67,7 @@ cdef class Problem:
             genes, values = &particles[0, 0], &fitness[0]
             interrupt.begin()
             with nogil:
-                status = emtr_task_alpha_evaluate(self.problem, stage, genes, count, values)
+                status = emtr_task_alpha_evaluate(self.problem, resolution, genes, count, values)
             interrupt.end(status)
 
     def evaluate_beta(self, const double[:, ::1] particles, double[::1] fitness):

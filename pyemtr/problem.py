@@ -69,18 +69,19 @@ class Problem(ProblemViews):
             raw = self._raw.solve(raw_callback)
         return make_result(raw, dict(self.settings))
 
-    def evaluate_alpha(self, particles: Any, stage: str = "dense") -> Floats:
+    def evaluate_alpha(self, particles: Any, resolution: str = "dense") -> Floats:
         """Returns the fitness of task alpha for particles (P, 6): float64 (P,), lower is better.
 
-        ``stage`` is "sparse" or "dense". The nearest-neighbor queries are counted in ``queries``.
-        Raises TypeError or ValueError for other shapes, types, or numbers that are not finite.
+        ``resolution`` is "sparse" or "dense". The nearest-neighbor queries are counted in
+        ``queries``. Raises TypeError or ValueError for other shapes, types, or numbers that are
+        not finite.
         """
-        if stage not in ("sparse", "dense"):
-            raise ValueError(f'stage: expected "sparse" or "dense", got {stage!r}')
+        if resolution not in ("sparse", "dense"):
+            raise ValueError(f'resolution: expected "sparse" or "dense", got {resolution!r}')
         genes = as_particles(particles, 6)
         fitness = np.empty(len(genes), dtype=np.float64)
         with self._alone():
-            self._raw.evaluate_alpha(stage == "dense", genes, fitness)
+            self._raw.evaluate_alpha(resolution == "dense", genes, fitness)
         return fitness
 
     def evaluate_beta(self, particles: Any) -> Floats:

@@ -19,17 +19,21 @@ class TaskAlpha:
     Args:
         source_or_problem: a :class:`Problem`, or a source cloud with ``target`` beside it.
         target: the target cloud; None with a Problem.
-        stage: "dense" (both directions) or "sparse" (source to target only).
+        resolution: "dense" (both directions) or "sparse" (source to target only).
         **settings: for a new Problem: all arguments of :func:`pyemtr.register` but ``callback``.
     """
 
     def __init__(
-        self, source_or_problem: Any, target: Any = None, stage: str = "dense", **settings: Value
+        self,
+        source_or_problem: Any,
+        target: Any = None,
+        resolution: str = "dense",
+        **settings: Value,
     ) -> None:
-        if stage not in ("sparse", "dense"):
-            raise ValueError(f'stage: expected "sparse" or "dense", got {stage!r}')
+        if resolution not in ("sparse", "dense"):
+            raise ValueError(f'resolution: expected "sparse" or "dense", got {resolution!r}')
         self.problem: Problem = _problem_of(source_or_problem, target, settings)
-        self.stage: str = stage
+        self.resolution: str = resolution
 
     @property
     def bounds(self) -> Floats:
@@ -42,7 +46,7 @@ class TaskAlpha:
 
     def evaluate(self, particles: Any) -> Floats:
         """Returns the fitness of particles (P, 6): see :meth:`Problem.evaluate_alpha`."""
-        return self.problem.evaluate_alpha(particles, self.stage)
+        return self.problem.evaluate_alpha(particles, self.resolution)
 
 
 class TaskBeta:

@@ -89,8 +89,8 @@ void read_array(const emtr_problem* problem, Input& input) {
 void use(emtr_problem* problem, Input& input) {
   double particles[12], fitness[2], T[16], back[6], translation[3];
   for (double& value : particles) value = any_double(input);
-  const auto stage = input.ConsumeBool() ? EMTR_STAGE_DENSE : EMTR_STAGE_SPARSE;
-  if (accepted(emtr_task_alpha_evaluate(problem, stage, particles, 2, fitness)))
+  const auto resolution = input.ConsumeBool() ? EMTR_RESOLUTION_DENSE : EMTR_RESOLUTION_SPARSE;
+  if (accepted(emtr_task_alpha_evaluate(problem, resolution, particles, 2, fitness)))
     require(fitness[0] >= 0 && fitness[1] >= 0);
   if (accepted(emtr_task_beta_evaluate(problem, particles, 2, fitness)))
     require(fitness[0] >= 0 && fitness[1] >= 0);

@@ -51,8 +51,8 @@ def test_nothing_near_costs_one_a_point(problem):
 @pytest.mark.parametrize("neighbors", [1, 2])
 def test_every_neighbor_search_gives_the_same_bits(pair, problem, particles, neighbors):
     other = pyemtr.Problem(pair.source, pair.target, neighbors=neighbors, threads=2)
-    for stage in ("sparse", "dense"):
+    for resolution in ("sparse", "dense"):
         assert (
-            other.evaluate_alpha(particles, stage).tobytes()
-            == problem.evaluate_alpha(particles, stage).tobytes()
+            other.evaluate_alpha(particles, resolution).tobytes()
+            == problem.evaluate_alpha(particles, resolution).tobytes()
         )

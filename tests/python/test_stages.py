@@ -72,9 +72,9 @@ def test_without_any_match_the_arrays_are_empty_but_whole(pair):
     )
 
 
-@pytest.mark.parametrize("stage", ["sparse", "dense"])
-def test_a_particle_costs_the_same_alone_and_among_others(problem, stage):
-    task = pyemtr.TaskAlpha(problem, stage=stage)
+@pytest.mark.parametrize("resolution", ["sparse", "dense"])
+def test_a_particle_costs_the_same_alone_and_among_others(problem, resolution):
+    task = pyemtr.TaskAlpha(problem, resolution=resolution)
     particles = np.random.default_rng(2).uniform(*task.bounds.T, (40, 6))
     together = task.evaluate(particles)
     alone = np.concatenate([task.evaluate(particle[None]) for particle in particles])
@@ -86,7 +86,7 @@ def test_a_particle_costs_the_same_alone_and_among_others(problem, stage):
 
 
 def test_a_task_makes_its_own_problem(pair, problem):
-    alpha = pyemtr.TaskAlpha(pair.source, pair.target, stage="sparse", threads=1)
+    alpha = pyemtr.TaskAlpha(pair.source, pair.target, resolution="sparse", threads=1)
     beta = pyemtr.TaskBeta(pair.source, pair.target, threads=1)
     particles = np.random.default_rng(2).uniform(-1, 1, (9, 6))
     assert (
@@ -181,9 +181,9 @@ def test_no_particles_no_fitness(problem):
 def test_other_misuse(problem, pair):
     with pytest.raises(ValueError, match=r"\(P, 3\)"):
         pyemtr.TaskBeta(problem).evaluate(np.zeros((2, 6)))
-    with pytest.raises(ValueError, match="stage"):
-        pyemtr.TaskAlpha(problem, stage="fine")
-    with pytest.raises(ValueError, match="stage"):
+    with pytest.raises(ValueError, match="resolution"):
+        pyemtr.TaskAlpha(problem, resolution="fine")
+    with pytest.raises(ValueError, match="resolution"):
         problem.evaluate_alpha(np.zeros((1, 6)), "fine")
     with pytest.raises(TypeError, match="target"):
         pyemtr.TaskAlpha(pair.source)

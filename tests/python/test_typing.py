@@ -83,7 +83,7 @@ MISUSE = [
     "pyemtr.register(a, a).alternatives[0].pose",
     "pyemtr.register(a, a).unconstrained_directions + 1",  # it may be None
     "pyemtr.Problem(a, a).source_dense.bogus",
-    "pyemtr.TaskAlpha(a, a, stage=1)",
+    "pyemtr.TaskAlpha(a, a, resolution=1)",
     "pyemtr.settings()['seed'].nothing",
     "pyemtr.Cloud(a, 2)",
     "pyemtr.Cloud(a).points",

@@ -67,7 +67,7 @@ def distances(source: NDArray[np.float32], result: pyemtr.Result) -> NDArray[np.
 
 def stage_by_stage(source: list[list[float]], target: NDArray[np.int16]) -> pyemtr.Result:
     problem = pyemtr.Problem(source, target, dense_points=1000)
-    alpha = pyemtr.TaskAlpha(problem, stage="sparse")
+    alpha = pyemtr.TaskAlpha(problem, resolution="sparse")
     beta = pyemtr.TaskBeta(problem)
     low, high = alpha.bounds.T
     particles: NDArray[np.float64] = np.random.default_rng(0).uniform(low, high, (9, 6))

@@ -661,12 +661,16 @@ EMTR_API void emtr_problem_free(emtr_problem* problem);
 EMTR_API emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress,
                                         void* user, emtr_result** result);
 
-typedef enum emtr_stage { EMTR_STAGE_SPARSE = 0, EMTR_STAGE_DENSE = 1 } emtr_stage;
+/* The downsampled clouds on which task alpha is evaluated. */
+typedef enum emtr_resolution {
+  EMTR_RESOLUTION_SPARSE = 0,
+  EMTR_RESOLUTION_DENSE = 1
+} emtr_resolution;
 
 /* Evaluates task alpha: writes the fitness (a sum, lower is better) of `count` particles, (count,
  * 6) row-major, to fitness[count]. The problem counts the nearest-neighbor queries. Errors:
  * EMTR_ERROR_ARGUMENT for a number that is not finite or beyond 1e6. */
-EMTR_API emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
+EMTR_API emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_resolution resolution,
                                               const double* particles, size_t count,
                                               double* fitness);
 

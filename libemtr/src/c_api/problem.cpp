@@ -78,8 +78,8 @@ emtr_status emtr_problem_describe(const emtr_problem* problem, emtr_problem_info
     std::copy_n(normalization.center_target, 3, out.center_target);
     out.leaf_sparse = p.downsampled.leaf_sparse;
     out.leaf_dense = p.downsampled.leaf_dense;
-    out.c_sparse = p.alpha->scale(EMTR_STAGE_SPARSE);
-    out.c_dense = p.alpha->scale(EMTR_STAGE_DENSE);
+    out.c_sparse = p.alpha->scale(EMTR_RESOLUTION_SPARSE);
+    out.c_dense = p.alpha->scale(EMTR_RESOLUTION_DENSE);
     out.tau = p.tau;
     out.tims = p.tims.formed();
     out.tims_pruned = p.tims.pruned;

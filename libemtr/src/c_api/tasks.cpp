@@ -45,18 +45,19 @@ void evaluate_all(const emtr_problem& problem, const double* particles, std::siz
 
 extern "C" {
 
-emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_stage stage,
+emtr_status emtr_task_alpha_evaluate(emtr_problem* problem, emtr_resolution resolution,
                                      const double* particles, size_t count, double* fitness) {
   return guarded([&] {
     emtr_problem& p = checked(problem);
-    const int number = emtr::number_of(stage);
-    if (number != EMTR_STAGE_SPARSE && number != EMTR_STAGE_DENSE)
-      throw emtr::Error(EMTR_ERROR_ARGUMENT, "stage must be EMTR_STAGE_SPARSE or EMTR_STAGE_DENSE");
+    const int number = emtr::number_of(resolution);
+    if (number != EMTR_RESOLUTION_SPARSE && number != EMTR_RESOLUTION_DENSE)
+      throw emtr::Error(EMTR_ERROR_ARGUMENT,
+                        "resolution must be EMTR_RESOLUTION_SPARSE or EMTR_RESOLUTION_DENSE");
     evaluate_all(p, particles, count, 6, fitness,
                  [&](const double* particle, emtr::TaskAlpha::Scratch& scratch) {
-                   return p.data->alpha->evaluate(stage, emtr::decode(particle), scratch);
+                   return p.data->alpha->evaluate(resolution, emtr::decode(particle), scratch);
                  });
-    p.queries += count * p.data->alpha->queries(stage);
+    p.queries += count * p.data->alpha->queries(resolution);
   });
 }
 

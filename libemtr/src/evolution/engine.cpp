@@ -31,7 +31,7 @@ class Engine {
         rotations_(space_.rotation_genes(), settings, Stream::Beta,
                    rotation_steps(settings, space_, seeded)),
         scratch_(threads),
-        stage_(settings.sparse_to_dense ? EMTR_STAGE_SPARSE : EMTR_STAGE_DENSE) {}
+        resolution_(settings.sparse_to_dense ? EMTR_RESOLUTION_SPARSE : EMTR_RESOLUTION_DENSE) {}
 
   void place(const Starts& starts) {
     std::vector<Rigid> all = starts.guesses;
@@ -49,7 +49,7 @@ class Engine {
         static_cast<int>(std::ceil(settings_.switch_fraction * settings_.iterations - 1e-9));
     try {
       for (int it = 0; it < settings_.iterations && !out_.stopped; ++it) {
-        if (stage_ == EMTR_STAGE_SPARSE && it == switch_at) switch_to_dense();
+        if (resolution_ == EMTR_RESOLUTION_SPARSE && it == switch_at) switch_to_dense();
         evaluate();
         poses_.update_bests();
         beta_changed_ |= rotations_.update_bests();
@@ -62,7 +62,7 @@ class Engine {
       out_.stopped = true;
     }
     if (!out_.history_alpha.empty()) remember();
-    out_.stage = stage_;
+    out_.resolution = resolution_;
     out_.queries_complement = transfer_.queries();
     return std::move(out_);
   }
@@ -74,12 +74,12 @@ class Engine {
     team_.parallel(n + rotations_.size(), [&](std::size_t i, std::size_t thread) {
       if (i < n) {
         poses_.fitness()[i] =
-            alpha_.evaluate(stage_, space_.pose(poses_.position(i)), scratch_[thread]);
+            alpha_.evaluate(resolution_, space_.pose(poses_.position(i)), scratch_[thread]);
       } else {
         rotations_.fitness()[i - n] = beta_.evaluate(space_.rotation(rotations_.position(i - n)));
       }
     });
-    out_.queries_evaluation += n * alpha_.queries(stage_);
+    out_.queries_evaluation += n * alpha_.queries(resolution_);
   }
 
   void remember() {
@@ -95,12 +95,12 @@ class Engine {
     const std::size_t n = poses_.size();
     std::vector<double> fitness(n);
     team_.parallel(n, [&](std::size_t i, std::size_t thread) {
-      fitness[i] =
-          alpha_.evaluate(EMTR_STAGE_DENSE, space_.pose(poses_.best_position(i)), scratch_[thread]);
+      fitness[i] = alpha_.evaluate(EMTR_RESOLUTION_DENSE, space_.pose(poses_.best_position(i)),
+                                   scratch_[thread]);
     });
-    stage_ = EMTR_STAGE_DENSE;
+    resolution_ = EMTR_RESOLUTION_DENSE;
     poses_.set_best_fitness(fitness);
-    out_.queries_switch += n * alpha_.queries(stage_);
+    out_.queries_switch += n * alpha_.queries(resolution_);
   }
 
   void move(int it) {
@@ -125,7 +125,7 @@ class Engine {
   KnowledgeTransfer transfer_;
   Swarm poses_, rotations_;
   std::vector<TaskAlpha::Scratch> scratch_;
-  emtr_stage stage_;
+  emtr_resolution resolution_;
   bool beta_changed_ = false;  // since the complement was last computed
   Evolution out_;
 };

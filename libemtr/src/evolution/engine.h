@@ -15,7 +15,7 @@ namespace emtr {
 /// A pose that a particle of task alpha remembers.
 struct Hypothesis {
   Rigid pose;      ///< normalized frame
-  double fitness;  ///< task alpha's, at `stage` of the evolution
+  double fitness;  ///< task alpha's, at `resolution` of the evolution
 };
 
 /// Poses at which the first particles of both swarms start.
@@ -29,7 +29,7 @@ struct Evolution {
   /// The pbests of task alpha; empty when the run was stopped before the first.
   std::vector<Hypothesis> hypotheses;
   std::size_t best = 0;  ///< which of them is gbest
-  emtr_stage stage = EMTR_STAGE_SPARSE;
+  emtr_resolution resolution = EMTR_RESOLUTION_SPARSE;
   bool stopped = false;
   std::vector<double> history_alpha, history_beta;  ///< gbest's fitness after each iteration
   std::uint64_t queries_evaluation = 0, queries_switch = 0, queries_complement = 0;

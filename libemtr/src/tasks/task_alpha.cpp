@@ -34,8 +34,8 @@ double TaskAlpha::sum(const Cloud& points, const Rigid& pose, const Neighbors& n
   return kernels_.rho_sum(scratch.squared.data(), points.size(), 1.0f / (c * c));
 }
 
-double TaskAlpha::evaluate(emtr_stage stage, const Rigid& pose, Scratch& scratch) const {
-  if (stage == EMTR_STAGE_SPARSE)
+double TaskAlpha::evaluate(emtr_resolution resolution, const Rigid& pose, Scratch& scratch) const {
+  if (resolution == EMTR_RESOLUTION_SPARSE)
     return sum(downsampled_.source_sparse, pose, *target_sparse_, scale_sparse_, scratch);
   const double forward =
       sum(downsampled_.source_dense, pose, *target_dense_, scale_dense_, scratch);
@@ -43,8 +43,8 @@ double TaskAlpha::evaluate(emtr_stage stage, const Rigid& pose, Scratch& scratch
          sum(downsampled_.target_dense, pose.inverse(), *source_dense_, scale_dense_, scratch);
 }
 
-std::size_t TaskAlpha::queries(emtr_stage stage) const {
-  if (stage == EMTR_STAGE_SPARSE) return downsampled_.source_sparse.size();
+std::size_t TaskAlpha::queries(emtr_resolution resolution) const {
+  if (resolution == EMTR_RESOLUTION_SPARSE) return downsampled_.source_sparse.size();
   return downsampled_.source_dense.size() + downsampled_.target_dense.size();
 }
 

@@ -30,15 +30,17 @@ class TaskAlpha {
   TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings, const Kernels& kernels,
             const MakeNeighbors& make_neighbors);
 
-  double evaluate(emtr_stage stage, const Rigid& pose, Scratch& scratch) const;
+  double evaluate(emtr_resolution resolution, const Rigid& pose, Scratch& scratch) const;
 
   /// Returns the number of nearest-neighbor queries of one evaluation: N_s, or N_d + M_d.
-  std::size_t queries(emtr_stage stage) const;
+  std::size_t queries(emtr_resolution resolution) const;
   /// Returns the largest value of the fitness: that of a pose where no point has a neighbor.
-  double worst(emtr_stage stage) const { return static_cast<double>(queries(stage)); }
+  double worst(emtr_resolution resolution) const {
+    return static_cast<double>(queries(resolution));
+  }
 
-  double scale(emtr_stage stage) const {  ///< c of the M-estimator
-    return stage == EMTR_STAGE_DENSE ? scale_dense_ : scale_sparse_;
+  double scale(emtr_resolution resolution) const {  ///< c of the M-estimator
+    return resolution == EMTR_RESOLUTION_DENSE ? scale_dense_ : scale_sparse_;
   }
 
   /// Squared distances at a pose, cut at c^2, and the sum of their rho: from the dense source

@@ -22,30 +22,30 @@ double inlier_ratio(const std::vector<float>& squared, double scale) {
 /// is, when the swarm remembers no other.
 double best_alternative(const Evolution& evolution, const Rigid& best, const TaskAlpha& alpha) {
   TaskAlpha::Scratch scratch;
-  double fitness = alpha.worst(EMTR_STAGE_DENSE);
+  double fitness = alpha.worst(EMTR_RESOLUTION_DENSE);
   for (const Hypothesis& h : evolution.hypotheses) {
     if (is_same_pose(h.pose, best, kDistinctPose)) continue;
-    const bool known = evolution.stage == EMTR_STAGE_DENSE;
-    fitness =
-        std::min(fitness, known ? h.fitness : alpha.evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
+    const bool known = evolution.resolution == EMTR_RESOLUTION_DENSE;
+    fitness = std::min(fitness,
+                       known ? h.fitness : alpha.evaluate(EMTR_RESOLUTION_DENSE, h.pose, scratch));
   }
-  return fitness / alpha.worst(EMTR_STAGE_DENSE);
+  return fitness / alpha.worst(EMTR_RESOLUTION_DENSE);
 }
 
 }  // namespace
 
 Verdict judge(const Evolution& evolution, const Rigid& pose, const TaskAlpha& alpha,
               std::size_t correspondences, const Settings& settings) {
-  const double c = alpha.scale(EMTR_STAGE_DENSE);
+  const double c = alpha.scale(EMTR_RESOLUTION_DENSE);
   const TaskAlpha::Residuals source = alpha.residuals_source(pose);
   const TaskAlpha::Residuals target = alpha.residuals_target(pose);
 
   Verdict v;
-  v.fitness = (source.rho_sum + target.rho_sum) / alpha.worst(EMTR_STAGE_DENSE);
+  v.fitness = (source.rho_sum + target.rho_sum) / alpha.worst(EMTR_RESOLUTION_DENSE);
   v.inlier_ratio_source = inlier_ratio(source.squared, c);
   v.inlier_ratio_target = inlier_ratio(target.squared, c);
   // After a stop nobody waits for fitness that is not known yet.
-  const bool known = !evolution.hypotheses.empty() && evolution.stage == EMTR_STAGE_DENSE;
+  const bool known = !evolution.hypotheses.empty() && evolution.resolution == EMTR_RESOLUTION_DENSE;
   v.fitness_gap = known || !evolution.stopped ? best_alternative(evolution, pose, alpha) - v.fitness
                                               : std::numeric_limits<double>::quiet_NaN();
 

@@ -54,7 +54,7 @@ static void long_calls_end(void) {
   CHECK(preprocessed == NULL && self.asked == 1);
   CHECK_ERROR(emtr_residuals(&many, &many, NULL, 2, out, NULL), EMTR_ERROR_INTERRUPTED,
               "interrupted");
-  CHECK_ERROR(emtr_task_alpha_evaluate(problem, EMTR_STAGE_DENSE, numbers, kParticles, out),
+  CHECK_ERROR(emtr_task_alpha_evaluate(problem, EMTR_RESOLUTION_DENSE, numbers, kParticles, out),
               EMTR_ERROR_INTERRUPTED, "interrupted");
   CHECK(self.asked == 3);
   emtr_set_interrupt(NULL, NULL);

@@ -60,10 +60,10 @@ static void tasks(emtr_problem* problem, const bumpy_pair* pair, const emtr_prob
   particles[1][0] += 1.0;
   memcpy(rotations[0], particles[0], sizeof rotations[0]);
   memcpy(rotations[1], particles[1], sizeof rotations[1]);
-  CHECK_OK(emtr_task_alpha_evaluate(problem, EMTR_STAGE_SPARSE, particles[0], 2, sparse));
+  CHECK_OK(emtr_task_alpha_evaluate(problem, EMTR_RESOLUTION_SPARSE, particles[0], 2, sparse));
   rows_of(problem, EMTR_SOURCE_SPARSE, 3, &rows);
   CHECK(emtr_problem_queries(problem) - before == 2 * rows);
-  CHECK_OK(emtr_task_alpha_evaluate(problem, EMTR_STAGE_DENSE, particles[0], 2, dense));
+  CHECK_OK(emtr_task_alpha_evaluate(problem, EMTR_RESOLUTION_DENSE, particles[0], 2, dense));
   CHECK_OK(emtr_task_beta_evaluate(problem, rotations[0], 2, beta));
   CHECK(sparse[0] >= 0 && sparse[0] < sparse[1] && sparse[1] <= (double)rows);
   CHECK(dense[0] >= 0 && dense[0] < dense[1]);
@@ -80,9 +80,9 @@ static void wrong_calls(emtr_problem* problem) {
   double fitness, particle[6] = {0, 0, 0, 0, 0, 0}, matrix[16] = {0};
   CHECK(emtr_problem_array(problem, (emtr_array)99, &data, &rows, &columns) == EMTR_ERROR_ARGUMENT);
   CHECK(emtr_problem_array(NULL, EMTR_SOURCE_DENSE, &data, &rows, &columns) == EMTR_ERROR_ARGUMENT);
-  CHECK(emtr_task_alpha_evaluate(problem, (emtr_stage)7, particle, 1, &fitness) ==
+  CHECK(emtr_task_alpha_evaluate(problem, (emtr_resolution)7, particle, 1, &fitness) ==
         EMTR_ERROR_ARGUMENT);
-  CHECK(emtr_task_alpha_evaluate(problem, EMTR_STAGE_DENSE, NULL, 1, &fitness) ==
+  CHECK(emtr_task_alpha_evaluate(problem, EMTR_RESOLUTION_DENSE, NULL, 1, &fitness) ==
         EMTR_ERROR_ARGUMENT);
   CHECK(emtr_task_beta_evaluate(problem, particle, 1, NULL) == EMTR_ERROR_ARGUMENT);
   CHECK(emtr_complement(NULL, particle, particle) == EMTR_ERROR_ARGUMENT);

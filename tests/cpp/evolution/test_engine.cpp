@@ -27,8 +27,8 @@ class Engine : public testing::Test {
  protected:
   Settings settings = emtr::preset("paper");
   emtr_test::ProblemPtr problem = problem_with(settings);
-  std::uint64_t sparse = problem->alpha->queries(EMTR_STAGE_SPARSE);
-  std::uint64_t dense = problem->alpha->queries(EMTR_STAGE_DENSE);
+  std::uint64_t sparse = problem->alpha->queries(EMTR_RESOLUTION_SPARSE);
+  std::uint64_t dense = problem->alpha->queries(EMTR_RESOLUTION_DENSE);
 };
 
 TEST_F(Engine, QueriesFollowThePapersFormula) {
@@ -50,7 +50,7 @@ TEST_F(Engine, SwitchesAtTheCeilingOfDelta) {
   settings.switch_fraction = 1;
   const Evolution never = run(problem, settings);
   EXPECT_EQ(never.queries_evaluation, 50 * 7 * sparse);
-  EXPECT_EQ(never.stage, EMTR_STAGE_SPARSE);
+  EXPECT_EQ(never.resolution, EMTR_RESOLUTION_SPARSE);
   settings.switch_fraction = 0;
   EXPECT_EQ(run(problem, settings).queries_evaluation, 50 * 7 * dense);
 }
@@ -70,9 +70,9 @@ TEST_F(Engine, HistoryNeverRisesButAtTheSwitch) {
 TEST_F(Engine, AfterTheSwitchEveryBestIsADenseFitness) {
   emtr::TaskAlpha::Scratch scratch;
   const Evolution e = run(problem, settings);
-  EXPECT_EQ(e.stage, EMTR_STAGE_DENSE);
+  EXPECT_EQ(e.resolution, EMTR_RESOLUTION_DENSE);
   for (const emtr::Hypothesis& h : e.hypotheses)
-    EXPECT_EQ(h.fitness, problem->alpha->evaluate(EMTR_STAGE_DENSE, h.pose, scratch));
+    EXPECT_EQ(h.fitness, problem->alpha->evaluate(EMTR_RESOLUTION_DENSE, h.pose, scratch));
 }
 
 TEST_F(Engine, SameBitsForAnyThreads) {

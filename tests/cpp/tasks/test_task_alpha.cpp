@@ -52,9 +52,9 @@ TEST(TaskAlpha, SparseStageIsTheSourceSum) {
   const emtr::DownsampledClouds d = small_downsampled_clouds();
   const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
-  EXPECT_NEAR(alpha.evaluate(EMTR_STAGE_SPARSE, pose(), scratch),
+  EXPECT_NEAR(alpha.evaluate(EMTR_RESOLUTION_SPARSE, pose(), scratch),
               oracle(d.source_sparse, d.target_sparse, pose(), 1.5 * 0.2), 1e-3);
-  EXPECT_EQ(alpha.queries(EMTR_STAGE_SPARSE), 40u);
+  EXPECT_EQ(alpha.queries(EMTR_RESOLUTION_SPARSE), 40u);
 }
 
 TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
@@ -62,11 +62,11 @@ TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
   const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   const double c = 1.2 * 0.1;
-  EXPECT_NEAR(alpha.evaluate(EMTR_STAGE_DENSE, pose(), scratch),
+  EXPECT_NEAR(alpha.evaluate(EMTR_RESOLUTION_DENSE, pose(), scratch),
               oracle(d.source_dense, d.target_dense, pose(), c) +
                   oracle(d.target_dense, d.source_dense, pose().inverse(), c),
               1e-3);
-  EXPECT_EQ(alpha.queries(EMTR_STAGE_DENSE), 350u);
+  EXPECT_EQ(alpha.queries(EMTR_RESOLUTION_DENSE), 350u);
 }
 
 TEST(TaskAlpha, IsZeroWhereTheCloudsLieOnEachOther) {
@@ -74,7 +74,7 @@ TEST(TaskAlpha, IsZeroWhereTheCloudsLieOnEachOther) {
   d.target_dense = d.source_dense;
   const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
-  EXPECT_EQ(alpha.evaluate(EMTR_STAGE_DENSE, Rigid{}, scratch), 0);
+  EXPECT_EQ(alpha.evaluate(EMTR_RESOLUTION_DENSE, Rigid{}, scratch), 0);
 }
 
 TEST(TaskAlpha, IsWorstFarAway) {
@@ -83,8 +83,10 @@ TEST(TaskAlpha, IsWorstFarAway) {
   emtr::TaskAlpha::Scratch scratch;
   Rigid far;
   far.t[0] = 100;
-  EXPECT_EQ(alpha.evaluate(EMTR_STAGE_DENSE, far, scratch), alpha.worst(EMTR_STAGE_DENSE));
-  EXPECT_EQ(alpha.evaluate(EMTR_STAGE_SPARSE, far, scratch), alpha.worst(EMTR_STAGE_SPARSE));
+  EXPECT_EQ(alpha.evaluate(EMTR_RESOLUTION_DENSE, far, scratch),
+            alpha.worst(EMTR_RESOLUTION_DENSE));
+  EXPECT_EQ(alpha.evaluate(EMTR_RESOLUTION_SPARSE, far, scratch),
+            alpha.worst(EMTR_RESOLUTION_SPARSE));
 }
 
 }  // namespace

@@ -17,10 +17,11 @@ class Verdict : public testing::Test {
 
   emtr::Evolution with(std::vector<emtr::Rigid> poses) const {
     emtr::Evolution e;
-    e.stage = EMTR_STAGE_DENSE;
+    e.resolution = EMTR_RESOLUTION_DENSE;
     emtr::TaskAlpha::Scratch scratch;
     for (const auto& pose : poses)
-      e.hypotheses.push_back({pose, problem->alpha->evaluate(EMTR_STAGE_DENSE, pose, scratch)});
+      e.hypotheses.push_back(
+          {pose, problem->alpha->evaluate(EMTR_RESOLUTION_DENSE, pose, scratch)});
     return e;
   }
 
@@ -69,7 +70,7 @@ TEST_F(Verdict, ScoresTheSameFromEitherStage) {
   emtr::Rigid other = truth;
   other.t[1] += 0.5;
   emtr::Evolution dense = with({truth, other}), sparse = dense;
-  sparse.stage = EMTR_STAGE_SPARSE;
+  sparse.resolution = EMTR_RESOLUTION_SPARSE;
   sparse.hypotheses[1].fitness = 1;
   EXPECT_DOUBLE_EQ(judge(sparse).fitness_gap, judge(dense).fitness_gap);
 }
