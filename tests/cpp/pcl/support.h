@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/registration/emtr_ssc.h>
 
 #include <cmath>
 #include <cstdint>
@@ -77,3 +78,21 @@ template <typename Matrix>
 bool allNaN(const Matrix& m) {
   return m.array().isNaN().all();
 }
+
+/// A registration of the shared pair, whose clouds each test has for its own.
+class SharedPairTest : public testing::Test {
+ protected:
+  using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+  using Registration = pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ>;
+
+  void SetUp() override {
+    reg.setNumberOfThreads(2);
+    reg.setInputSource(source);
+    reg.setInputTarget(target);
+  }
+
+  Cloud::Ptr source = sharedPair().source();
+  Cloud::Ptr target = sharedPair().target();
+  Cloud output;
+  Registration reg;
+};

@@ -8,22 +8,7 @@
 
 namespace {
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Registration = pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ>;
-
-class Progress : public testing::Test {
- protected:
-  void SetUp() override {
-    reg.setNumberOfThreads(2);
-    reg.setInputSource(source);
-    reg.setInputTarget(target);
-  }
-
-  Cloud::Ptr source = sharedPair().source();
-  Cloud::Ptr target = sharedPair().target();
-  Cloud output;
-  Registration reg;
-};
+class Progress : public SharedPairTest {};
 
 TEST_F(Progress, ItIsReportedAndChangesNothing) {
   reg.align(output);

@@ -10,22 +10,7 @@
 
 namespace {
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Registration = pcl::EMTRSSCRegistration<pcl::PointXYZ, pcl::PointXYZ>;
-
-class Usage : public testing::Test {
- protected:
-  void SetUp() override {
-    reg.setNumberOfThreads(2);
-    reg.setInputSource(source);
-    reg.setInputTarget(target);
-  }
-
-  Cloud::Ptr source = sharedPair().source();
-  Cloud::Ptr target = sharedPair().target();
-  Cloud output;
-  Registration reg;
-};
+class Usage : public SharedPairTest {};
 
 TEST_F(Usage, ThroughTheBaseClass) {
   pcl::Registration<pcl::PointXYZ, pcl::PointXYZ>::Ptr base(new Registration);
