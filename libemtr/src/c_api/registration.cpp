@@ -38,7 +38,7 @@ emtr_result* run(InputCloud& source, InputCloud& target, const emtr_settings* se
   emtr_result* result = nullptr;
   emtr::ThreadTeam::with(chosen.threads, [&](emtr::ThreadTeam&) {
     const emtr::CancellationScope between_stages(outer);  // a stopped run has its result to write
-    const auto problem = emtr::make_problem(source, target, chosen, token);
+    const auto problem = emtr::make_problem(source, target, chosen, token, emtr::Stages::Needed);
     result = emtr::solve(*problem, token).release();
   });
   return result;

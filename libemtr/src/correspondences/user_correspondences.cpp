@@ -13,6 +13,14 @@ namespace {
 
 constexpr std::size_t kMinimumCount = 3;  // that determine a pose
 
+std::vector<std::int32_t> distinct_rows(const std::vector<Correspondence>& correspondences,
+                                        std::int32_t Correspondence::*side) {
+  std::vector<std::int32_t> rows = rows_of(correspondences, side);
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
 /// One side of the correspondences.
 class Side {
  public:
@@ -35,17 +43,21 @@ class Side {
   Keypoints named_points(const std::vector<Correspondence>& correspondences,
                          std::int32_t Correspondence::*side) const {
     Keypoints out;
-    out.rows = rows_of(correspondences, side);
-    std::sort(out.rows.begin(), out.rows.end());
-    out.rows.erase(std::unique(out.rows.begin(), out.rows.end()), out.rows.end());
-    out.points.resize(out.rows.size());
-    for (std::size_t i = 0; i < out.rows.size(); ++i) {
-      float p[3];
-      cloud_.find(static_cast<std::size_t>(out.rows[i]), p);
-      out.points.set(i, p);
-    }
-    out.points = scale_cloud(out.points, factor_);
+    out.rows = distinct_rows(correspondences, side);
+    out.points = points(out.rows);
     return out;
+  }
+
+  /// Returns the points of these rows.
+  Cloud points(const std::vector<std::int32_t>& rows) const {
+    Cloud out;
+    out.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      float p[3];
+      cloud_.find(static_cast<std::size_t>(rows[i]), p);
+      out.set(i, p);
+    }
+    return scale_cloud(out, factor_);
   }
 
  private:
@@ -84,6 +96,11 @@ UserCorrespondences load_user_correspondences(const NormalizedPair& pair, const 
   for (Correspondence& match : out.correspondences)
     match = {place_of(out.keypoints.source.rows, match.source),
              place_of(out.keypoints.target.rows, match.target)};
+  const std::vector<Correspondence> all = select_evenly(distinct, kMaximumMatches);
+  out.matches.p = source.points(rows_of(all, &Correspondence::source));
+  out.matches.q = target.points(rows_of(all, &Correspondence::target));
+  out.named_source = distinct_rows(distinct, &Correspondence::source).size();
+  out.named_target = distinct_rows(distinct, &Correspondence::target).size();
   return out;
 }
 

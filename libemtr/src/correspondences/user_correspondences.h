@@ -5,15 +5,21 @@
 #include <vector>
 
 #include "correspondences/correspondence.h"
+#include "correspondences/match_points.h"
 #include "correspondences/user_keypoints.h"
 
 namespace emtr {
 
 /// Correspondences that the user provided, and the points that they name.
 struct UserCorrespondences {
-  KeypointPair keypoints;                       ///< without descriptors
-  std::vector<Correspondence> correspondences;  ///< rows of `keypoints`, in the user's order
+  KeypointPair keypoints;                          ///< without descriptors
+  std::vector<Correspondence> correspondences;     ///< rows of `keypoints`, in the user's order
+  MatchPoints matches;                             ///< the ends of all of them, see kMaximumMatches
+  std::size_t named_source = 0, named_target = 0;  ///< different points that all of them name
 };
+
+/// The poses that matches agree on are searched among so many of them.
+constexpr std::size_t kMaximumMatches = 20000;
 
 /// Reads `count` pairs (row of the source, row of the target). Takes each pair once and, of more
 /// than `max_count`, as many evenly selected ones. Throws Error, naming the pair, on rows that do

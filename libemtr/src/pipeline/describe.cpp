@@ -1,31 +1,15 @@
+#include <memory>
 #include <optional>
-#include <utility>
 
-#include "correspondences/user_correspondences.h"
 #include "pipeline/problem_stages.h"
 #include "ranking/given_viewpoints.h"
-#include "util/error.h"
 
 namespace emtr {
-namespace {
 
-void load_correspondences(const Settings& user, Problem& problem) {
-  if (!user.correspondences)
-    throw Error(EMTR_ERROR_ARGUMENT, "correspondences: null, but correspondence_count is not 0");
-  UserCorrespondences loaded =
-      load_user_correspondences(problem.pair, user.correspondences, user.correspondence_count,
-                                static_cast<std::size_t>(problem.settings.max_correspondences));
-  problem.user_keypoints = std::make_unique<KeypointPair>(std::move(loaded.keypoints));
-  problem.correspondences = std::move(loaded.correspondences);
-  problem.correspondences_found = user.correspondence_count;
-}
-
-}  // namespace
-
-void load_user_input(const Settings& user, Problem& problem) {
+void load_user_keypoints(Problem& problem) {
   const bool features = has_user_keypoints(problem.pair);  // refuses bad ones in any case
-  if (user.correspondences || user.correspondence_count)
-    load_correspondences(user, problem);
+  if (!problem.user_matches.correspondences.empty())
+    problem.user_keypoints = std::make_unique<KeypointPair>(problem.user_matches.keypoints);
   else if (features)
     problem.user_keypoints = std::make_unique<KeypointPair>(
         load_user_keypoints(problem.pair, problem.downsampled.leaf_dense));

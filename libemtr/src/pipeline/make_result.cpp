@@ -37,6 +37,11 @@ void fill_problem(const Problem& problem, emtr_result& r) {
   r.normalization_scale = normalization.scale;
   std::copy_n(normalization.center_source, 3, r.center_source);
   std::copy_n(normalization.center_target, 3, r.center_target);
+  r.correspondences_found = problem.correspondences_found;
+  if (problem.matches_decide) {  // then the other stages have no part in the result
+    r.correspondences = problem.user_matches.matches.size();
+    return;
+  }
   const DownsampledClouds& clouds = problem.downsampled;
   r.sparse_source = clouds.source_sparse.size();
   r.sparse_target = clouds.target_sparse.size();
@@ -45,7 +50,6 @@ void fill_problem(const Problem& problem, emtr_result& r) {
   r.leaf_sparse = clouds.leaf_sparse;
   r.leaf_dense = clouds.leaf_dense;
   r.correspondences = problem.correspondences.size();
-  r.correspondences_found = problem.correspondences_found;
   r.tims = problem.tims.formed();
   r.tims_pruned = problem.tims.pruned;
   r.seeds = problem.seeds.size();
@@ -101,6 +105,28 @@ void fill_candidates(const Problem& problem, const Solution& found, Result& r) {
   r.registered = r.reason == EMTR_REASON_REGISTERED;
 }
 
+/// Where the matches decide, a score is the share of them that are inliers.
+void fill_matches(const Problem& problem, const Solution& found, Result& r) {
+  r.confidence = found.match_verdict->confidence;
+  r.reason = found.match_verdict->reason;
+  r.registered = r.reason == EMTR_REASON_REGISTERED;
+  const std::vector<MatchPose>& poses = problem.match_poses;
+  const auto score = [&](const MatchPose& pose) {
+    return static_cast<double>(pose.inliers.size()) /
+           static_cast<double>(problem.user_matches.matches.size());
+  };
+  r.score = r.score_gap = score(poses.front());
+  r.inlier_rmse = found.refined.rmse * problem.pair.normalization.scale;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    r.others.emplace_back();
+    to_matrix(problem.pair.normalization.to_user(poses[i].pose), r.others.back().transformation);
+    r.others.back().score = std::min(score(poses[i]), r.score);
+    r.score_gap = r.score - r.others.front().score;
+  }
+  r.alternatives = r.others.data();
+  r.alternative_count = r.others.size();
+}
+
 void fill_refinement(const Refined& refined, double scale, emtr_result& r) {
   r.refined = 1;
   // A translation is `scale` times as long in the user's unit, and its information that much less.
@@ -148,6 +174,7 @@ std::unique_ptr<Result> make_result(const Problem& problem, const Solution& foun
   if (found.verdict) fill_verdict(*found.verdict, *result);
   if (found.candidates && !found.candidates->ranked().empty())
     fill_candidates(problem, found, *result);
+  if (found.match_verdict) fill_matches(problem, found, *result);
   if (found.refined.succeeded) fill_refinement(found.refined, normalization.scale, *result);
   if (found.overlap) fill_overlap(*found.overlap, found.fine->leaf(), normalization.scale, *result);
   fill_seconds(found.seconds, *result);

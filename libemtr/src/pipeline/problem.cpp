@@ -16,19 +16,26 @@ Settings without_user_memory(Settings settings) {
 }
 
 /// Runs the stages before the search. `user`: the settings with the user's correspondences.
-void run_stages(InputCloud& source, InputCloud& target, const Settings& user, Progress& progress,
-                Problem& problem) {
+void run_stages(InputCloud& source, InputCloud& target, const Settings& user, Stages stages,
+                Progress& progress, Problem& problem) {
   const Settings& settings = problem.settings;
 
   progress.enter(Stage::Normalization);
   problem.pair = normalize(source, target, user);
   problem.prior = make_prior(settings, problem.pair.normalization);
 
+  load_user_matches(user, problem);
+  if (problem.user_matches.matches.size() && settings.seeds > 0 && settings.candidates > 0) {
+    progress.enter(Stage::Seeds);
+    find_match_poses(problem);
+    if (problem.matches_decide && stages == Stages::Needed) return;
+  }
+
   progress.enter(Stage::Downsampling);
   problem.downsampled = downsample(problem.pair, settings);
 
   progress.enter(Stage::Features);
-  load_user_input(user, problem);
+  load_user_keypoints(problem);
   describe_clouds(problem);
 
   progress.enter(Stage::Matching);
@@ -45,14 +52,15 @@ void run_stages(InputCloud& source, InputCloud& target, const Settings& user, Pr
 }  // namespace
 
 std::unique_ptr<const Problem> make_problem(InputCloud& source, InputCloud& target,
-                                            const Settings& settings, CancellationToken& token) {
+                                            const Settings& settings, CancellationToken& token,
+                                            Stages stages) {
   auto problem = std::make_unique<Problem>();
   problem->settings = without_user_memory(settings);
   validate(problem->settings);
   const CancellationScope scope(&token);
   try {
     Progress progress(token, 0, problem->seconds);
-    run_stages(source, target, settings, progress, *problem);
+    run_stages(source, target, settings, stages, progress, *problem);
   } catch (const Cancelled&) {
     problem->stopped = true;
   }

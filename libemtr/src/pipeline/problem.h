@@ -6,6 +6,7 @@
 #include "candidates/surface_pair.h"
 #include "correspondences/matching.h"
 #include "correspondences/tims.h"
+#include "correspondences/user_correspondences.h"
 #include "correspondences/user_keypoints.h"
 #include "evolution/knowledge_complement.h"
 #include "features/fpfh.h"
@@ -14,6 +15,7 @@
 #include "pipeline/stage_seconds.h"
 #include "preprocessing/downsampling.h"
 #include "priors/prior.h"
+#include "seeds/match_pose.h"
 #include "seeds/seeds.h"
 #include "tasks/task_alpha.h"
 #include "tasks/task_beta.h"
@@ -33,6 +35,10 @@ struct Problem {
 
   NormalizedPair pair;
   PriorPtr prior;  ///< null when every pose is admissible
+
+  UserCorrespondences user_matches;    ///< empty when the user provides none
+  std::vector<MatchPose> match_poses;  ///< that they agree on, the best first
+  bool matches_decide = false;         ///< they give the pose and the verdict, not the surfaces
 
   DownsampledClouds downsampled;
 
@@ -61,9 +67,14 @@ struct Problem {
   }
 };
 
+/// Tells whether the stages that a solution does not need are made too: those of the tasks where
+/// the matches decide.
+enum class Stages { All, Needed };
+
 /// Makes a problem of two clouds. Keeps nothing of the user's memory. Throws Error on bad clouds or
 /// settings. The token may stop it; then the problem is `stopped`, and solve() says so.
 std::unique_ptr<const Problem> make_problem(InputCloud& source, InputCloud& target,
-                                            const Settings& settings, CancellationToken& token);
+                                            const Settings& settings, CancellationToken& token,
+                                            Stages stages = Stages::All);
 
 }  // namespace emtr

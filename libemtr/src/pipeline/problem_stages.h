@@ -7,9 +7,16 @@ namespace emtr {
 // The steps of make_problem(). Each reads what the ones before it have put into the problem, and
 // fills in its own part.
 
-/// Takes keypoints and correspondences from the user, where there are some. Throws Error when they
-/// cannot be used.
-void load_user_input(const Settings& user, Problem& problem);
+/// Reads the user's correspondences, where there are some. Throws Error when they cannot be used.
+void load_user_matches(const Settings& user, Problem& problem);
+
+/// Finds the poses that the user's matches agree on, and tells whether they decide: where the
+/// clouds are no surfaces, or are little more than the ends of matches that agree beyond doubt.
+void find_match_poses(Problem& problem);
+
+/// Takes keypoints from the user, where there are some, or those that the matches name. Throws
+/// Error when they cannot be used.
+void load_user_keypoints(Problem& problem);
 
 /// Computes normals and, unless the user provides keypoints, descriptors of the dense clouds.
 void describe_clouds(Problem& problem);

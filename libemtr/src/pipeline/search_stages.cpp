@@ -48,6 +48,14 @@ const FineSurfaces& fine(const Problem& problem, Solution& found) {
 
 }  // namespace
 
+void judge_match_poses(const Problem& problem, Solution& found) {
+  const MatchPose& best = problem.match_poses.front();
+  found.pose = best.pose;
+  found.refined = constraints_of(problem.user_matches.matches, best, problem.prior.get());
+  found.match_verdict =
+      judge_matches(problem.match_poses, found.refined.unconstrained > 0, problem.settings);
+}
+
 void shortlist_seeds(const Problem& problem, Solution& found) {
   if (problem.surfaces) {
     found.candidates = std::make_unique<CandidateSearch>(
@@ -76,6 +84,8 @@ void evolve(const Problem& problem, Progress& progress, Solution& found) {
 void rank_candidates(const Problem& problem, Solution& found) {
   std::vector<Rigid> poses = guess(problem), swarm;
   poses.insert(poses.end(), found.shortlist.begin(), found.shortlist.end());
+  for (const MatchPose& found_by_matches : problem.match_poses)
+    poses.push_back(admissible_pose(problem, found_by_matches.pose));
   for (const Hypothesis& hypothesis : found.evolution.hypotheses) swarm.push_back(hypothesis.pose);
   found.candidates->add(poses, swarm);
   take_best_candidate(problem, found);

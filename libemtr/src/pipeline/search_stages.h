@@ -8,6 +8,9 @@ namespace emtr {
 
 // The steps of solve(). Each reads what the ones before it have found, and adds what it finds.
 
+/// Takes the pose from the matches, and judges it by them.
+void judge_match_poses(const Problem& problem, Solution& found);
+
 /// Puts the seeds that keep to the prior on the shortlist, the best ones where they can be ranked.
 void shortlist_seeds(const Problem& problem, Solution& found);
 

@@ -10,6 +10,7 @@
 #include "refinement/fine_surfaces.h"
 #include "refinement/refine.h"
 #include "verdict/confidence.h"
+#include "verdict/match_verdict.h"
 #include "verdict/overlap.h"
 #include "verdict/verdict.h"
 
@@ -26,7 +27,8 @@ struct Solution {
   std::unique_ptr<FineSurfaces> fine;    ///< null until a stage needs them
   Refined refined;
   std::optional<Overlap> overlap;
-  std::optional<Verdict> verdict;  ///< empty when no pose is known
+  std::optional<Verdict> verdict;             ///< empty when no pose is known
+  std::optional<MatchVerdict> match_verdict;  ///< where the matches decide
 
   StageSeconds seconds;
   bool stopped = false;

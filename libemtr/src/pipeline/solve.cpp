@@ -9,6 +9,12 @@ namespace {
 
 /// Runs the stages of the search; Cancelled leaves what they have found by then.
 void run_stages(const Problem& problem, Progress& progress, Solution& found) {
+  if (problem.matches_decide) {
+    progress.enter(Stage::Verdict);
+    judge_match_poses(problem, found);
+    return;
+  }
+
   progress.enter(Stage::Evolution);
   shortlist_seeds(problem, found);
   evolve(problem, progress, found);
@@ -50,7 +56,7 @@ std::unique_ptr<Result> solve(const Problem& problem, CancellationToken& token) 
   found.seconds = problem.seconds;
   found.stopped = problem.stopped;
   if (!found.stopped) search(problem, token, found);
-  if (found.pose) judge_pose(problem, found);
+  if (found.pose && !problem.matches_decide) judge_pose(problem, found);
   auto result = make_result(problem, found);
   if (found.stopped)
     result->reason = token.timed_out() ? EMTR_REASON_TIME_LIMIT : EMTR_REASON_INTERRUPTED;

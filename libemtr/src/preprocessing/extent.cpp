@@ -11,8 +11,6 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kMinimumPoints = 10;
-
 void refuse_equal(const std::string& name) {
   throw Error(EMTR_ERROR_CLOUD, name + ": all points are equal, expected a radius above 1e-150");
 }
@@ -88,15 +86,16 @@ Dispersion dispersion_about(const Eigen::Vector3d& center, double unit, const Cl
 
 }  // namespace
 
-Extent measure_extent(const CloudReader& reader, const std::string& name, int threads) {
+Extent measure_extent(const CloudReader& reader, const std::string& name, int threads,
+                      std::size_t minimum) {
   Extent extent;
   const Eigen::Vector3d first = first_finite(reader);
   const Sum sum = sum_about(first, reader, threads, extent.finite);
   extent.count = sum.count;
-  if (sum.count < kMinimumPoints)
+  if (sum.count < minimum)
     throw Error(EMTR_ERROR_CLOUD, name + ": " + std::to_string(sum.count) + " finite points of " +
                                       std::to_string(reader.count()) + ", expected at least " +
-                                      std::to_string(kMinimumPoints));
+                                      std::to_string(minimum));
   const Eigen::Vector3d center = first + sum.offset / static_cast<double>(sum.count);
   if (!center.allFinite() || !std::isfinite(sum.farthest)) refuse_large(name);
   if (sum.farthest < 1e-151) refuse_equal(name);

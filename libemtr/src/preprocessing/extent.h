@@ -22,8 +22,13 @@ struct Extent {
   }
 };
 
+/// What a cloud must have to be a surface; three points, with matches, have a pose.
+constexpr std::size_t kSurfacePoints = 10, kMatchedPoints = 3;
+
 /// Measures a cloud in two passes, in double. Throws Error, naming the cloud, when it has fewer
-/// than 10 finite points, all of them on one point or one line, or coordinates too large to square.
-Extent measure_extent(const CloudReader& reader, const std::string& name, int threads);
+/// than `minimum` finite points, all of them on one point or one line, or coordinates too large to
+/// square.
+Extent measure_extent(const CloudReader& reader, const std::string& name, int threads,
+                      std::size_t minimum = kSurfacePoints);
 
 }  // namespace emtr

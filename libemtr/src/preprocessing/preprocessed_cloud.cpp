@@ -32,7 +32,8 @@ PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string&
     : title_(name.empty() ? "cloud" : name + " cloud") {
   const CloudReader reader(cloud, title_);
   if (reader.count() <= kDownsampledAbove) threads = 1;  // done sooner than other threads wake up
-  const Extent extent = measure_extent(reader, title_, threads);
+  const Extent extent =
+      measure_extent(reader, title_, threads, cloud.keep_points ? kMatchedPoints : kSurfacePoints);
   count = extent.count;
   dropped = reader.count() - count;
   std::copy_n(extent.center, 3, center);

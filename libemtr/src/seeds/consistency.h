@@ -25,12 +25,18 @@ class Consistency {
     return kernels_.count_common(row(i), row(j), words_);
   }
 
+  /// Counts those of a set that are consistent with correspondence i.
+  std::size_t count_common(const std::uint64_t* set, std::size_t i) const {
+    return kernels_.count_common(set, row(i), words_);
+  }
+  /// Returns the bits of correspondence i: which others are consistent with it.
+  const std::uint64_t* row(std::size_t i) const { return &bits_[i * words_]; }
+  std::size_t words() const { return words_; }
+
   const Cloud& p() const { return p_; }  ///< source points, one for each correspondence, padded
   const Cloud& q() const { return q_; }  ///< target points
 
  private:
-  const std::uint64_t* row(std::size_t i) const { return &bits_[i * words_]; }
-
   const Kernels& kernels_;
   std::size_t n_, words_;
   Cloud p_, q_;
