@@ -14,18 +14,18 @@ constexpr std::size_t kCounted = 24, kRanks = 8;  // samples that count, and up 
 constexpr double kTests = 4;                      // widths of noise that are tried
 constexpr double kLeastResidual = 2e-7;           // what rounding to floats leaves
 
-/// Returns the row that the s-th of some shifts leads to from row i; they are spread over the list,
+/// Returns the row that the s-th of some steps leads to from row i; they are spread over the list,
 /// where neighbors may be near each other.
-std::size_t shifted(std::size_t i, std::size_t s, std::size_t shifts, std::size_t n) {
-  return (i + s * (n - 1) / shifts) % n;
+std::size_t other_row(std::size_t i, std::size_t s, std::size_t steps, std::size_t n) {
+  return (i + s * (n - 1) / steps) % n;
 }
 
 std::vector<double> lengths_of(const Cloud& cloud) {
-  const std::size_t n = cloud.size(), shifts = std::min<std::size_t>(3, n - 1);
+  const std::size_t n = cloud.size(), steps = std::min<std::size_t>(3, n - 1);
   std::vector<double> out;
-  for (std::size_t s = 1; s <= shifts; ++s)
+  for (std::size_t s = 1; s <= steps; ++s)
     for (std::size_t i = 0; i < n; ++i)
-      out.push_back(distance(point_of(cloud, i), point_of(cloud, shifted(i, s, shifts, n))));
+      out.push_back(distance(point_of(cloud, i), point_of(cloud, other_row(i, s, steps, n))));
   return out;
 }
 
@@ -66,17 +66,17 @@ Chance::Chance(const MatchPoints& matches)
   std::vector<double> differences;
   for (std::size_t i = 0; i < p.size(); ++i)
     for (std::size_t s = 1; s <= 2; ++s)
-      differences.push_back(std::abs(p[i] - q[shifted(i, s, 3, p.size())]));
+      differences.push_back(std::abs(p[i] - q[other_row(i, s, 3, p.size())]));
   differences_.set(std::move(differences), 1, 1);
 }
 
 void Chance::measure(const Rigid& pose) {
-  const std::size_t shifts = std::min(n_ - 1, std::max<std::size_t>(1, kSamples / n_));
+  const std::size_t steps = std::min(n_ - 1, std::max<std::size_t>(1, kSamples / n_));
   std::vector<double> residuals;
   for (std::size_t i = 0; i < n_; ++i) {
     const Eigen::Vector3d moved = pose * point_of(matches_.p, i);
-    for (std::size_t s = 1; s <= shifts; ++s)
-      residuals.push_back(distance(moved, point_of(matches_.q, shifted(i, s, shifts, n_))));
+    for (std::size_t s = 1; s <= steps; ++s)
+      residuals.push_back(distance(moved, point_of(matches_.q, other_row(i, s, steps, n_))));
   }
   // Shares grow with the cube of the radius in a volume, with its square on a surface.
   residuals_.set(std::move(residuals), 2, 3);
@@ -84,12 +84,14 @@ void Chance::measure(const Rigid& pose) {
 
 double Chance::log_expected(std::size_t k, double r) const {
   r = std::max(r, kLeastResidual);
+  // The pose was fitted to these matches, which takes six numbers of all theirs.
+  const double fitted = r / std::sqrt(1 - 2 / static_cast<double>(k));
   // Sets of three of n that keep their lengths, and k - 3 others that fit their pose.
   const double sets =
       log_factorial_[n_] - log_factorial_[3] - log_factorial_[k - 3] - log_factorial_[n_ - k];
   return portable_log10(kTests * static_cast<double>(n_)) + sets +
          3 * differences_.log_share_within(2 * r) +
-         static_cast<double>(k - 3) * residuals_.log_share_within(r);
+         static_cast<double>(k - 3) * residuals_.log_share_within(fitted);
 }
 
 }  // namespace emtr

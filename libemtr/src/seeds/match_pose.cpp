@@ -20,6 +20,7 @@ constexpr std::size_t kWidest = 3;
 constexpr double kReach = 1.2;         // residual that supports a triangle, over that difference
 constexpr std::size_t kSubset = 2000;  // matches in one search
 constexpr double kCertain = -30, kFound = -4;  // decimal logarithms that end the search
+constexpr double kWidestResidual = 0.5;        // over the usual length
 constexpr double kHopeless = 9;  // decimal logarithm for a pose that no matches agree on
 constexpr double kRivalShare = 0.8;
 constexpr int kRefits = 6;
@@ -31,6 +32,10 @@ Rows every(std::size_t count, std::size_t step, std::size_t first) {
   for (std::size_t i = first; i < count; i += step) rows.push_back(static_cast<std::uint32_t>(i));
   return rows;
 }
+
+/// Returns the largest residual of an inlier. Residuals as long as the matches are apart say
+/// nothing of a rotation, yet those of a pose that was fitted to them are less than chance has it.
+double widest_residual(const Chance& chance) { return kWidestResidual * chance.usual_length(); }
 
 /// Returns the pose with the nearest matches, as many as say most about it.
 MatchPose most_telling(const MatchPoints& matches, const Rigid& pose, double limit,
@@ -91,7 +96,8 @@ class Search {
     const auto consider = [&](const Triangle& triangle) {
       if (!measured) chance_.measure(triangle.pose);
       measured = true;
-      const MatchPose found = improve(triangle.pose, 3 * difference);
+      const MatchPose found =
+          improve(triangle.pose, std::min(3 * difference, widest_residual(chance_)));
       if (!best_ || found.log_chance < best_->log_chance) best_ = found;
       return best_->log_chance < kCertain;
     };
@@ -128,13 +134,16 @@ class Search {
 /// Fits the pose by truncated least squares and takes stock of its inliers.
 void finish(const MatchPoints& matches, MatchPose& found) {
   const TruncatedFit fit = truncated_fit(matches, found.pose, found.threshold);
-  found.pose = fit.pose;
-  found.noise = fit.noise;
-  found.threshold = fit.threshold;
-  found.inliers.clear();
+  Rows inliers;
   for (std::uint32_t i = 0; i < matches.size(); ++i)
     if (distance(fit.pose * point_of(matches.p, i), point_of(matches.q, i)) <= fit.threshold)
-      found.inliers.push_back(i);
+      inliers.push_back(i);
+  std::sort(found.inliers.begin(), found.inliers.end());
+  found.noise = fit.noise;
+  if (inliers.size() < found.inliers.size()) return;  // of three, two may fit better
+  found.pose = fit.pose;
+  found.threshold = fit.threshold;
+  found.inliers = std::move(inliers);
 }
 
 /// Returns the pose of all matches, which say nothing about it.
@@ -174,7 +183,7 @@ bool is_same(const MatchPoints& matches, const MatchPose& best, const MatchPose&
 MatchPose rate_match_pose(const MatchPoints& matches, const Rigid& pose) {
   Chance chance(matches);
   chance.measure(pose);
-  MatchPose out = most_telling(matches, pose, HUGE_VAL, chance);
+  MatchPose out = most_telling(matches, pose, widest_residual(chance), chance);
   out.log_chance = std::min(out.log_chance, kHopeless);
   out.noise = out.threshold / 2;
   return out;

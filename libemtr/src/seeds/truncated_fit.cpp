@@ -12,6 +12,7 @@ constexpr double kStep = 1.4;            // of the control parameter, as in the 
 constexpr double kDeviations = 4.03;     // within which 99.9 % of residuals in three numbers are
 constexpr double kMedianNoise = 1.5382;  // median of a residual over the noise of a coordinate
 constexpr double kRounding = 4e-7;       // residual of exact matches in floats
+constexpr double kSlack = 1.2;           // the fit itself changes residuals
 constexpr int kRounds = 4, kLast = 20;
 
 std::vector<double> residuals(const MatchPoints& matches, const Rigid& pose) {
@@ -61,7 +62,7 @@ double noise_of(const MatchPoints& matches, const Rigid& pose, double threshold)
   if (r.size() < 4) return threshold / kDeviations;  // three determine the pose and no noise
   const auto middle = r.begin() + static_cast<std::ptrdiff_t>(r.size() / 2);
   std::nth_element(r.begin(), middle, r.end());
-  // A pose takes two of the matches' coordinates in three.
+  // The fitted pose takes six of the matches' numbers.
   const double n = static_cast<double>(r.size());
   return *middle / kMedianNoise * std::sqrt(n / (n - 2));
 }
@@ -69,11 +70,12 @@ double noise_of(const MatchPoints& matches, const Rigid& pose, double threshold)
 }  // namespace
 
 TruncatedFit truncated_fit(const MatchPoints& matches, const Rigid& start, double radius) {
-  TruncatedFit out{start, 0, std::max(radius, kRounding)};
+  const double least = std::max(kSlack * radius, kRounding);
+  TruncatedFit out{start, 0, least};
   for (int k = 0; k < kRounds; ++k) {
     out.pose = anneal(matches, out.pose, out.threshold);
     out.noise = noise_of(matches, out.pose, out.threshold);
-    const double next = std::max(kDeviations * out.noise, kRounding);
+    const double next = std::max(kDeviations * out.noise, least);
     if (next == out.threshold) break;
     out.threshold = next;
   }

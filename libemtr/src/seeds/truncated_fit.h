@@ -15,7 +15,7 @@ struct TruncatedFit {
 /// Fits a pose to the matches, where those with residuals beyond the threshold count nothing: by
 /// graduated non-convexity (Yang et al., "Graduated Non-Convexity for Robust Spatial Perception",
 /// RA-L 2020) from a pose near the answer. The threshold is estimated too, from the inliers' noise,
-/// beginning with `radius`, within which most inliers lie.
+/// and is no less than `radius`, which is known to hold inliers.
 TruncatedFit truncated_fit(const MatchPoints& matches, const Rigid& start, double radius);
 
 }  // namespace emtr

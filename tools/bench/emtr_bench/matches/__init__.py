@@ -1,0 +1,1 @@
+"""The benchmark of given matches: how many may be wrong, and how long it takes."""
