@@ -62,7 +62,8 @@ class Result:
         confidence: estimated probability, 0 to 1, that the pose is right within 5 degrees and 0.06
             radii. NaN without candidates (preset "paper"), like the next four, and when the run
             was stopped before all of them were ranked.
-        score: ``surface_fit - 2 violation``, at most 1.
+        score: ``surface_fit - 2 violation``, at most 1; where given matches decide, the share of
+            them that are inliers.
         surface_fit: how well the surfaces agree, 0 to 1 (best).
         violation: share of points in front of what the other scan saw, 0 (best) to 1.
         score_gap: score minus that of the best clearly different candidate.

@@ -318,7 +318,7 @@ typedef enum emtr_reason {
   EMTR_REASON_REGISTERED = 0,
   EMTR_REASON_LOW_OVERLAP = 1, /* too few points of the clouds lie on each other */
   EMTR_REASON_AMBIGUOUS = 2,   /* another, clearly different pose fits about as well */
-  EMTR_REASON_FEW_MATCHES = 3, /* too few correspondences for task beta to mean anything */
+  EMTR_REASON_FEW_MATCHES = 3, /* too few correspondences, or too few that agree */
   EMTR_REASON_INTERRUPTED = 4, /* the progress function stopped the run */
   EMTR_REASON_DEGENERATE = 5,  /* the surfaces leave a motion along themselves unconstrained */
   EMTR_REASON_TIME_LIMIT = 6   /* the setting time_limit stopped the run */

@@ -97,7 +97,10 @@ const std::vector<emtr_result_field_info>& result_table() {
     FIELD(inlier_rmse_plane, Real, "quality", "user's unit",
           "root mean square distance to the tangent planes there, which does not grow with the "
           "spacing of the points"),
-    FIELD(score, Real, "quality", "", "surface_fit - 2 violation, at most 1"),
+    FIELD(score, Real, "quality", "",
+          "surface_fit - 2 violation, at most 1; the share of given matches that are inliers where "
+          "these "
+          "decide"),
     FIELD(surface_fit, Real, "quality", "",
           "how well the surfaces lie on each other, 0 to 1 (best)"),
     FIELD(violation, Real, "quality", "",

@@ -196,6 +196,7 @@ std::vector<MatchPose> find_match_poses(const MatchPoints& matches, const Kernel
   if (!best) return {least_squares(matches)};
   finish(matches, *best);
   std::vector<MatchPose> out{*best};
+  if (best->log_chance >= 0) return out;  // chance has rivals enough
   const Rows rest = others(matches.size(), best->inliers);
   const std::size_t least = std::max<std::size_t>(
       3, static_cast<std::size_t>(kRivalShare * static_cast<double>(best->inliers.size())));
@@ -205,7 +206,8 @@ std::vector<MatchPose> find_match_poses(const MatchPoints& matches, const Kernel
   if (!rival) return out;
   finish(left, *rival);
   for (std::uint32_t& i : rival->inliers) i = rest[i];
-  if (rival->inliers.size() >= least && !is_same(matches, *best, *rival)) out.push_back(*rival);
+  if (rival->log_chance < 0 && rival->inliers.size() >= least && !is_same(matches, *best, *rival))
+    out.push_back(*rival);
   return out;
 }
 

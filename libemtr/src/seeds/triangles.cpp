@@ -13,9 +13,9 @@ namespace emtr {
 namespace {
 
 constexpr std::size_t kKept = 24;
-constexpr std::size_t kMost = 1000000;  // triangles that are counted, some 20 ms of work
-constexpr std::size_t kFit = 10;        // a fit takes as long as so many, and one more a match
-constexpr double kThin = 0.02;          // sine of a corner of a triangle that gives no rotation
+constexpr std::size_t kMost = 400000;  // triangles that are counted, some 10 ms of work
+constexpr std::size_t kFit = 10;       // a fit takes as long as so many, and one more a match
+constexpr double kThin = 0.02;         // sine of a corner of a triangle that gives no rotation
 
 using Rows = std::vector<std::uint32_t>;
 
