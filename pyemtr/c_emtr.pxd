@@ -137,7 +137,7 @@ cdef extern from "emtr/emtr.h" nogil:
         double center[3]
         double radius
         int32_t normals
-        size_t keypoints, feature_dimension
+        size_t keypoints, feature_dimension, strays
 
     emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed,
                                            emtr_preprocessed_info* info, size_t size)

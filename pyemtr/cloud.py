@@ -62,6 +62,11 @@ class Cloud:
         return int(self._info["dropped"])
 
     @property
+    def strays(self) -> int:
+        """The number of finite points far outside of all the others, which are left out."""
+        return int(self._info["strays"])
+
+    @property
     def has_normals(self) -> bool:
         """True when the user provided normals."""
         return bool(self._info["normals"])
@@ -74,20 +79,21 @@ class Cloud:
 
     @property
     def center(self) -> Floats:
-        """The centroid of the finite points: float64 (3,), in their unit."""
+        """The centroid of the finite points but strays: float64 (3,), in their unit."""
         return np.array(self._info["center"], dtype=np.float64)
 
     @property
     def radius(self) -> float:
-        """The largest distance of a point from the centroid, in their unit."""
+        """The largest distance of a point but strays from the centroid, in their unit."""
         return float(self._info["radius"])
 
     def __repr__(self) -> str:
         dropped = f", {self.dropped} dropped" if self.dropped else ""
+        strays = f", {self.strays} strays" if self.strays else ""
         normals = ", normals" if self.has_normals else ""
         features = f", {self.keypoints} features of {self._info['feature_dimension']}"
         return (
-            f"<pyemtr.Cloud: {len(self)} points{dropped}{normals}"
+            f"<pyemtr.Cloud: {len(self)} points{dropped}{strays}{normals}"
             f"{features if self.keypoints else ''}, radius {self.radius:.6g}>"
         )
 

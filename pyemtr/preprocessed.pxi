@@ -28,7 +28,7 @@ cdef class Preprocessed:
         return {"points": info.points, "dropped": info.dropped, "base_points": info.base_points,
                 "center": listed(info.center, 3), "radius": info.radius,
                 "normals": bool(info.normals), "keypoints": info.keypoints,
-                "feature_dimension": info.feature_dimension}
+                "feature_dimension": info.feature_dimension, "strays": info.strays}
 
 
 cdef Preprocessed preprocessed(cloud, str name, Settings settings):

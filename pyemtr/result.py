@@ -28,7 +28,7 @@ class Result:
             own. The best pose so far when the run was stopped, all NaN when none was known yet.
         registered: True when the pose is taken to be right.
         reason: "registered", "low_overlap", "ambiguous", "few_matches", "interrupted",
-            "degenerate" or "time_limit".
+            "degenerate", "time_limit", "mirrored" or "scale".
         reason_text: the reason in a few words.
         fitness: mean M-estimator over both dense clouds, 0 (best) to 1.
         inlier_ratio_source, inlier_ratio_target: share of dense points with a neighbor in the
@@ -43,6 +43,8 @@ class Result:
             with the spacing of the points.
         points_source, points_target: the number of finite points.
         dropped_source, dropped_target: the number of points with a NaN or an infinity.
+        strays_source, strays_target: the number of finite points far outside of all the others,
+            which were left out.
         sparse_source, sparse_target, dense_source, dense_target: points of the downsampled clouds.
         correspondences, correspondences_found: feature matches used, at most
             ``max_correspondences``, and feature matches found.
@@ -60,12 +62,17 @@ class Result:
         threads: the number of threads used.
         kernel: the instruction set of the inner loops, see :func:`pyemtr.kernel_name`.
         confidence: estimated probability, 0 to 1, that the pose is right within 5 degrees and 0.06
-            radii. NaN without candidates (preset "paper"), like the next four, and when the run
+            radii. NaN without candidates (preset "paper"), like the next seven, and when the run
             was stopped before all of them were ranked.
-        score: ``surface_fit - 2 violation``, at most 1; where given matches decide, the share of
-            them that are inliers.
-        surface_fit: how well the surfaces agree, 0 to 1 (best).
-        violation: share of points in front of what the other scan saw, 0 (best) to 1.
+        score: ``surface_fit - 0.1 (surface_near - surface_fit) - violation``, at most 1; where
+            given matches decide, the share of them that are inliers.
+        surface_fit: how well the surfaces agree, 0 to 1 (best); distinctive points count more.
+        surface_near: share of points near the other surface, on it or not, weighted alike.
+        violation: share of points in front of what the other scan saw, 0 (best) to 1, times the
+            trust in the place of its sensor.
+        evidence: how many dense points of the poorer cloud lie on the other.
+        scale_factor: factor of the source's lengths at which it fits better, with the reason
+            "scale"; 1 where none does.
         score_gap: score minus that of the best clearly different candidate.
         seeds: the number of poses that consistent matches gave.
         candidates: the number of distinct poses ranked.
@@ -100,6 +107,8 @@ class Result:
     points_target: int
     dropped_source: int
     dropped_target: int
+    strays_source: int
+    strays_target: int
     sparse_source: int
     sparse_target: int
     dense_source: int
@@ -124,7 +133,10 @@ class Result:
     confidence: float
     score: float
     surface_fit: float
+    surface_near: float
     violation: float
+    evidence: float
+    scale_factor: float
     score_gap: float
     seeds: int
     candidates: int

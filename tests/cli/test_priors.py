@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 import pytest
-from conftest import QUICK
+from conftest import QUICK, ROOT
 
 
 @pytest.fixture
@@ -72,3 +72,32 @@ def test_they_act(found, clouds, pair, tmp_path):
 )
 def test_refused(refused, small, arguments, pattern):
     assert re.search(pattern, refused(1, *small, *arguments))
+
+
+def floor_plan(rng: np.random.Generator) -> np.ndarray:
+    """Walls of two rooms with a slanted corner and a niche; all z are 0."""
+    corners = [[(0, 0), (9, 0), (9, 5), (6, 5), (6, 7), (1, 7), (0, 5.5), (0, 0)], [(4, 0), (4, 4)]]
+    walls = [
+        np.array(a) + rng.uniform(size=(300, 1)) * (np.array(b) - a)
+        for line in corners
+        for a, b in zip(line, line[1:])
+    ]
+    points = np.vstack(walls)
+    points += rng.normal(scale=0.005, size=points.shape)
+    return np.column_stack([points, np.zeros(len(points))])
+
+
+def test_two_dimensions_as_the_page_says(found, tmp_path):
+    page = (ROOT / "docs" / "PRIORS.md").read_text()
+    (line,) = re.findall(r"^pcl_emtr plan1.ply plan2.ply (.*)$", page, re.MULTILINE)
+    rng = np.random.default_rng(3)
+    angle, move = 2.2, np.array([1.5, -4, 0])
+    R = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+    plans = floor_plan(rng), floor_plan(rng) @ R.T + move
+    for name, plan in zip(("plan1.obj", "plan2.obj"), plans):
+        np.savetxt(tmp_path / name, plan, fmt="v %.6f %.6f %.6f")
+    report = found("plan1.obj", "plan2.obj", *line.split())
+    T = np.array(report["transformation"])
+    assert report["registered"]
+    np.testing.assert_allclose(T[:3, :3], R, atol=0.01)
+    np.testing.assert_allclose(T[:3, 3], move, atol=0.03)

@@ -49,7 +49,10 @@ def test_says_what_came_out(report, tmp_path, pair):
         "inlier_rmse_plane",
         "score",
         "surface_fit",
+        "surface_near",
         "violation",
+        "evidence",
+        "scale_factor",
         "score_gap",
     }
     assert all(0 <= quality[name] <= 1 for name in quality if "ratio" in name or "lap" in name)

@@ -57,10 +57,12 @@ void print(const emtr_result& r, const std::vector<double>& residuals) {
   SCALAR(registered), SCALAR(fitness), SCALAR(inlier_ratio_source), SCALAR(inlier_ratio_target);
   SCALAR(overlap_source), SCALAR(overlap_target), SCALAR(inlier_rmse_plane), SCALAR(leaf_fine);
   SCALAR(inlier_rmse), SCALAR(fitness_gap), SCALAR(points_source), SCALAR(points_target);
-  SCALAR(dropped_source), SCALAR(dropped_target), SCALAR(sparse_source), SCALAR(dense_source);
+  SCALAR(dropped_source), SCALAR(dropped_target), SCALAR(strays_source), SCALAR(strays_target),
+      SCALAR(sparse_source), SCALAR(dense_source);
   SCALAR(dense_target), SCALAR(correspondences), SCALAR(tims), SCALAR(tims_pruned);
   SCALAR(normalization_scale), SCALAR(leaf_sparse), SCALAR(leaf_dense), SCALAR(iterations);
-  SCALAR(confidence), SCALAR(score), SCALAR(surface_fit), SCALAR(violation), SCALAR(score_gap);
+  SCALAR(confidence), SCALAR(score), SCALAR(surface_fit), SCALAR(surface_near), SCALAR(violation),
+      SCALAR(evidence), SCALAR(scale_factor), SCALAR(score_gap);
   SCALAR(seeds), SCALAR(candidates), SCALAR(used_fallback_search), SCALAR(refined);
   SCALAR(unconstrained_directions);
 #undef SCALAR

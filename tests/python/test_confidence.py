@@ -28,7 +28,8 @@ def twofold():
 
 def test_the_figures_belong_together(solved):
     assert solved.registered and 0.9 < solved.confidence <= 1
-    assert solved.score == pytest.approx(solved.surface_fit - 2 * solved.violation)
+    missed = solved.surface_near - solved.surface_fit
+    assert solved.score == pytest.approx(solved.surface_fit - 0.1 * missed - solved.violation)
     assert 0 < solved.surface_fit <= 1 and 0 <= solved.violation <= 1
     assert 0 < solved.score_gap <= solved.score
     assert solved.seeds > 0 and 1 + len(solved.alternatives) <= solved.candidates
@@ -37,7 +38,7 @@ def test_the_figures_belong_together(solved):
 
 def test_the_paper_preset_has_none(pair):
     found = pyemtr.register(pair.source, pair.target, preset="paper", threads=2)
-    for name in ("confidence", "score", "surface_fit", "violation", "score_gap"):
+    for name in ("confidence", "score", "surface_fit", "surface_near", "violation", "score_gap"):
         assert np.isnan(getattr(found, name)), name
     assert (found.seeds, found.candidates, found.alternatives) == (0, 0, [])
     assert found.refined is False and found.unconstrained_directions is None

@@ -221,3 +221,43 @@ def test_the_unit_of_the_clouds_is_that_of_the_priors(pair):
 def test_bad_priors_are_named(pair, arguments, error, text):
     with pytest.raises(error, match=text):
         pyemtr.register(pair.source, pair.target, **arguments)
+
+
+def rectangles(rng, count=9):
+    """Straight walls at right angles, in places of their own; all z are 0."""
+    walls = []
+    for _ in range(count):
+        start, length = rng.uniform(0, 10, 2), rng.uniform(1, 6)
+        along = np.array([length, 0] if rng.uniform() < 0.5 else [0, length])
+        walls.append(start + rng.uniform(size=(200, 1)) * along)
+    points = np.vstack(walls)
+    return np.column_stack([points, np.zeros(len(points))])
+
+
+PLANE = {"axis": (0, 0, 1), "translation_bounds": ((-30, -30, 0), (30, 30, 0))}
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_two_dimensions(seed):
+    rng = np.random.default_rng(seed)
+    plan = rectangles(rng)
+    source = plan + np.append(rng.normal(scale=0.01, size=2), 0)
+    truth = np.eye(4)
+    truth[:3, :3] = Rotation.from_rotvec([0, 0, rng.uniform(-3, 3)]).as_matrix()
+    truth[:2, 3] = rng.uniform(-9, 9, 2)
+    target = shapes.apply(truth, plan[rng.permutation(len(plan))[:1500]])
+    result = pyemtr.register(source[source[:, 0] < 9], target, threads=1, **PLANE)
+    assert result.registered
+    moved = shapes.apply(result.transformation, source)
+    assert np.abs(moved - shapes.apply(truth, source)).max() < 0.1
+    assert np.abs(result.transformation[2] - [0, 0, 1, 0]).max() < 1e-9
+
+    open_height = pyemtr.register(source, target, threads=1, axis=(0, 0, 1))
+    assert open_height.reason == "degenerate"
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_unrelated_plans_are_not_registered(seed):
+    rng = np.random.default_rng(100 + seed)
+    result = pyemtr.register(rectangles(rng), rectangles(rng), threads=1, seed=seed, **PLANE)
+    assert not result.registered

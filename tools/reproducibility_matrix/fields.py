@@ -12,9 +12,21 @@ Fields = dict[str, str]
 SCALARS = [
     *("registered", "reason", "fitness", "inlier_ratio_source", "inlier_ratio_target"),
     *("inlier_rmse", "fitness_gap", "points_source", "points_target", "dropped_source"),
+    *("strays_source", "strays_target"),
     *("dropped_target", "sparse_source", "dense_source", "dense_target", "correspondences"),
     *("tims", "tims_pruned", "normalization_scale", "leaf_sparse", "leaf_dense", "iterations"),
-    *("confidence", "score", "surface_fit", "violation", "score_gap", "seeds", "candidates"),
+    *(
+        "confidence",
+        "score",
+        "surface_fit",
+        "surface_near",
+        "violation",
+        "evidence",
+        "scale_factor",
+        "score_gap",
+        "seeds",
+        "candidates",
+    ),
     *("used_fallback_search", "refined", "unconstrained_directions", "overlap_source"),
     *("overlap_target", "inlier_rmse_plane", "leaf_fine"),
 ]

@@ -164,6 +164,7 @@ typedef struct emtr_settings {
   int32_t dense_points;        /* of both dense clouds together */
   int32_t sparse_points;       /* of the sparse source cloud */
   double minimum_leaf_spacing; /* least dense leaf, point spacings */
+  double maximum_leaf_growth;  /* of the dense leaf, where a cloud lies along curves */
 
   /* features and correspondences */
   double normal_radius;        /* dense leaves */
@@ -321,7 +322,9 @@ typedef enum emtr_reason {
   EMTR_REASON_FEW_MATCHES = 3, /* too few correspondences, or too few that agree */
   EMTR_REASON_INTERRUPTED = 4, /* the progress function stopped the run */
   EMTR_REASON_DEGENERATE = 5,  /* the surfaces leave a motion along themselves unconstrained */
-  EMTR_REASON_TIME_LIMIT = 6   /* the setting time_limit stopped the run */
+  EMTR_REASON_TIME_LIMIT = 6,  /* the setting time_limit stopped the run */
+  EMTR_REASON_MIRRORED = 7,    /* the mirror image of the source fits better */
+  EMTR_REASON_SCALE = 8        /* the source fits better at another scale: see scale_factor */
 } emtr_reason;
 
 /* Another pose that the clouds could have. */
@@ -403,16 +406,17 @@ typedef struct emtr_result {
   const char* kernel; /* as emtr_kernel_name() */
 
   /* the answer among the candidates */
-  double confidence; /* estimated probability that the pose is right (within 5 degrees and 0.06
-                        radii), 0 to 1 in steps of 1e-6. NaN without candidates, and if the run was
-                        stopped before all candidates were ranked; so are the next four */
-  double score;      /* surface_fit - 2 violation, at most 1 */
-  double
-      surface_fit;   /* surface-fit score: how well the surfaces lie on each other, 0 to 1 (best) */
-  double violation;  /* share of points in front of what the other scan saw */
-  double score_gap;  /* score minus the score of the best clearly different candidate */
-  size_t seeds;      /* poses that consistent correspondences gave, in all searches */
-  size_t candidates; /* different poses that were ranked */
+  double confidence;  /* estimated probability that the pose is right (within 5 degrees and 0.06
+                         radii), 0 to 1 in steps of 1e-6. NaN without candidates, and if the run was
+                         stopped before all candidates were ranked; so are the next four */
+  double score;       /* surface_fit - 0.1 (surface_near - surface_fit) - violation, at most 1 */
+  double surface_fit; /* surface-fit score: how well the surfaces lie on each other, weighted by
+                         how distinctive each point is, 0 to 1 (best) */
+  double violation;   /* share of points in front of what the other scan saw, times the trust in the
+                         sensor's place */
+  double score_gap;   /* score minus the score of the best clearly different candidate */
+  size_t seeds;       /* poses that consistent correspondences gave, in all searches */
+  size_t candidates;  /* different poses that were ranked */
   int32_t used_fallback_search;         /* 1: the fallback search ran */
   int32_t refined;                      /* 1: the pose was refined on the fine clouds */
   size_t alternative_count;             /* at most 10 */
@@ -436,6 +440,13 @@ typedef struct emtr_result {
   double seconds_refinement;
 
   size_t correspondences_found; /* before max_correspondences applies */
+
+  double surface_near; /* share of points near the other surface, weighted as surface_fit */
+  double evidence;     /* how many dense points of the poorer cloud lie on the other */
+  double scale_factor; /* of the source's lengths, at which it fits better; 1 where none does */
+
+  size_t strays_source; /* finite points far outside of all the others, which were left out */
+  size_t strays_target;
 } emtr_result;
 
 /* Registers the source to the target.
@@ -454,8 +465,8 @@ EMTR_API void emtr_result_free(emtr_result* result);
 EMTR_API const char* emtr_reason_text(emtr_reason reason);
 
 /* Returns the short name of a reason, which no version changes: "registered", "low_overlap",
- * "ambiguous", "few_matches", "interrupted", "degenerate", "time_limit". "unknown" for any other
- * number. */
+ * "ambiguous", "few_matches", "interrupted", "degenerate", "time_limit", "mirrored", "scale".
+ * "unknown" for any other number. */
 EMTR_API const char* emtr_reason_name(emtr_reason reason);
 
 /* ---- result fields by name ---------------------------------------------------------- */
@@ -625,6 +636,7 @@ typedef struct emtr_preprocessed_info {
   size_t keypoints;   /* points with user-provided features; of more than 200 000, those that are
                          left after downsampling */
   size_t feature_dimension; /* 0: no features */
+  size_t strays;            /* finite points far outside of all the others, which are left out */
 } emtr_preprocessed_info;
 
 /* Describes a preprocessed cloud. `size` as for emtr_setting_describe(). */

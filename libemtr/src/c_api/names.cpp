@@ -47,6 +47,10 @@ const char* emtr_reason_name(emtr_reason reason) {
       return "degenerate";
     case EMTR_REASON_TIME_LIMIT:
       return "time_limit";
+    case EMTR_REASON_MIRRORED:
+      return "mirrored";
+    case EMTR_REASON_SCALE:
+      return "scale";
   }
   return "unknown";
 }
@@ -67,6 +71,10 @@ const char* emtr_reason_text(emtr_reason reason) {
       return "the surfaces leave a direction of the pose unconstrained";
     case EMTR_REASON_TIME_LIMIT:
       return "the time limit was reached";
+    case EMTR_REASON_MIRRORED:
+      return "the mirror image of the source fits better: one of the clouds seems to be mirrored";
+    case EMTR_REASON_SCALE:
+      return "the source fits better at another scale: see scale_factor";
   }
   return "unknown reason";
 }

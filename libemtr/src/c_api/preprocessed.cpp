@@ -30,6 +30,7 @@ emtr_status emtr_preprocessed_describe(const emtr_preprocessed* preprocessed,
     emtr_preprocessed_info out{};
     out.points = cloud.count;
     out.dropped = cloud.dropped;
+    out.strays = cloud.strays;
     out.base_points = cloud.base.size();
     std::copy_n(cloud.center, 3, out.center);
     out.radius = cloud.radius;

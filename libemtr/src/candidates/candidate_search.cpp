@@ -1,7 +1,8 @@
 #include "candidates/candidate_search.h"
 
 #include "candidates/fallback_search.h"
-#include "ranking/given_viewpoints.h"
+#include "candidates/rivals.h"
+#include "ranking/visible_viewpoint.h"
 
 namespace emtr {
 
@@ -33,32 +34,35 @@ void CandidateSearch::add(const std::vector<Rigid>& poses, const std::vector<Rig
     all.insert(all.end(), poses.begin(), poses.end());
     candidates_->add(all, team);
   });
+  add_rivals(*candidates_);
 }
 
 void CandidateSearch::run_fallback_search() {
-  const GivenViewpoints given(settings_, pair_.normalization);
-  const Viewpoints source = viewpoints(surfaces_.source(), given.source);
-  const Viewpoints target = viewpoints(surfaces_.target(), given.target);
+  const auto source = orientation(surfaces_.source(), surfaces_.source_viewpoint());
+  const auto target = orientation(surfaces_.target(), surfaces_.target_viewpoint());
   const auto seeds =
       admissible(find_fallback_seeds(pair_, source, target, settings_, kernels_, threads_), prior_);
-  auto oriented = std::make_unique<SurfacePair>(
-      surfaces_.shared_source(), surfaces_.shared_target(), source, target, kernels_);
-  auto candidates = std::make_unique<CandidateSet>(*oriented, prior_);
+  auto candidates = std::make_unique<CandidateSet>(*candidates_);
   ThreadTeam::with(threads_, [&](ThreadTeam& team) {
-    std::vector<Rigid> all =
-        candidates->shortlist(seeds, static_cast<std::size_t>(settings_.fallback_candidates), team);
-    for (const Candidate& c : candidates_->ranked()) all.push_back(c.pose);
-    candidates->add(all, team);
+    candidates->add(
+        candidates->shortlist(seeds, static_cast<std::size_t>(settings_.fallback_candidates), team),
+        team);
   });
+  add_rivals(*candidates);
   candidates_ = std::move(candidates);  // now, and not in part when it is cancelled before
-  oriented_ = std::move(oriented);
+  used_fallback_search_ = true;
 }
 
-Viewpoints CandidateSearch::viewpoints(const Surface& surface,
-                                       const std::optional<Viewpoint>& given) const {
-  if (!settings_.free_space) return {};
-  return given ? given_viewpoint(surface, *given, kernels_)
-               : estimate_viewpoints(surface, kernels_);
+void CandidateSearch::add_rivals(CandidateSet& candidates) const {
+  const std::vector<Rigid> rivals =
+      admissible(rotated_rivals(surfaces_, candidates.ranked().front().pose), prior_);
+  ThreadTeam::with(threads_, [&](ThreadTeam& team) { candidates.add(rivals, team); });
+}
+
+std::optional<Viewpoint> CandidateSearch::orientation(const Surface& surface,
+                                                      const std::optional<Viewpoint>& known) const {
+  if (!settings_.free_space) return std::nullopt;
+  return known && known->trust == 1 ? known : estimate_visible_viewpoint(surface, kernels_);
 }
 
 }  // namespace emtr

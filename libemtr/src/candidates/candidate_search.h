@@ -22,17 +22,20 @@ class CandidateSearch {
   /// Returns the seeds with the best quick scores, without duplicates; see admissible().
   std::vector<Rigid> shortlist(const std::vector<Seed>& seeds) const;
 
-  /// Adds poses as they are, and the best of `many`.
+  /// Adds poses as they are, the best of `many`, and the rivals of the best of all: see
+  /// rotated_rivals(). A verdict may only be sure once they have been looked at.
   void add(const std::vector<Rigid>& poses, const std::vector<Rigid>& many);
 
-  /// Searches again with more keypoints, and ranks by free space too.
+  /// Searches again with more keypoints and normals that face the sensors.
   void run_fallback_search();
-  bool used_fallback_search() const { return oriented_ != nullptr; }
+  bool used_fallback_search() const { return used_fallback_search_; }
 
   const std::vector<Candidate>& ranked() const { return candidates_->ranked(); }
 
  private:
-  Viewpoints viewpoints(const Surface& surface, const std::optional<Viewpoint>& given) const;
+  void add_rivals(CandidateSet& candidates) const;
+  std::optional<Viewpoint> orientation(const Surface& surface,
+                                       const std::optional<Viewpoint>& known) const;
 
   const NormalizedPair& pair_;
   const SurfacePair& surfaces_;
@@ -40,7 +43,7 @@ class CandidateSearch {
   const Kernels& kernels_;
   const Prior* prior_;
   const int threads_;
-  std::unique_ptr<SurfacePair> oriented_;  ///< with viewpoints, after a fallback search
+  bool used_fallback_search_ = false;
   std::unique_ptr<CandidateSet> candidates_;
 };
 

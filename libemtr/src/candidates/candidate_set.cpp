@@ -7,12 +7,28 @@
 
 namespace emtr {
 
+namespace {
+
+constexpr double kOnePlace = 6;       // leaves, from sensor to sensor
+constexpr double kSamePoints = 0.01;  // leaves, of the root mean square residual
+
+bool from_one_place(const SurfacePair& surfaces, const Rigid& pose) {
+  const auto &source = surfaces.source_viewpoint(), &target = surfaces.target_viewpoint();
+  const auto is_known = [](const std::optional<Viewpoint>& v) { return v && v->trust == 1; };
+  if (!is_known(source) || !is_known(target)) return false;
+  const Eigen::Vector3d moved = pose * Eigen::Vector3d::Map(source->at);
+  return (moved - Eigen::Vector3d::Map(target->at)).norm() < kOnePlace * surfaces.source().leaf;
+}
+
+}  // namespace
+
 std::vector<Rigid> CandidateSet::shortlist(const std::vector<Rigid>& poses,
                                            std::size_t maximum_count, ThreadTeam& team) const {
   std::vector<double> quick(poses.size());
   std::vector<Ranking::Scratch> scratch(team.size());
   team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-    quick[i] = surfaces_.ranking().quick(poses[i], SurfacePair::kQuickStep, scratch[thread]).score;
+    quick[i] =
+        surfaces_.ranking().evaluate(poses[i], scratch[thread], SurfacePair::kQuickStep).score;
   });
   std::vector<std::size_t> order(poses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -49,12 +65,13 @@ void CandidateSet::merge(const std::vector<std::optional<Candidate>>& candidates
 Candidate CandidateSet::evaluate(const Rigid& start, Scratch& scratch) const {
   const Ranking& ranking = surfaces_.ranking();
   const auto quick = [&](const Rigid& pose) {
-    return ranking.quick(pose, SurfacePair::kQuickStep, scratch.ranking).score;
+    return ranking.evaluate(pose, scratch.ranking, SurfacePair::kQuickStep).score;
   };
   Rigid pose = surfaces_.local_refinement()(start, prior_, scratch.refinement).pose;
   if (quick(pose) < quick(start)) pose = start;  // refinement can run off along a plane
   const Ranking::Value value = ranking.evaluate(pose, scratch.ranking);
-  return {pose, value.fit, value.violation, value.score};
+  return {pose, value.fit, value.violation, value.score,
+          value.fit.rms < kSamePoints || from_one_place(surfaces_, pose)};
 }
 
 }  // namespace emtr

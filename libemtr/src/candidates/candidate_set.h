@@ -15,6 +15,10 @@ struct Candidate {
   SurfaceFitValue fit;
   double violation = 0;  ///< of free space, 0 when nothing is known of it
   double score = 0;      ///< see Ranking::Value; higher is better
+  /// Whether both clouds have the same pattern of points under this pose: both scanners stood in
+  /// one place, or the points are the same. The pattern lies on itself whatever the shape, so the
+  /// score says less.
+  bool shares_pattern = false;
 };
 
 inline const Rigid& pose_of(const Candidate& candidate) { return candidate.pose; }

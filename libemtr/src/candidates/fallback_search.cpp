@@ -11,21 +11,20 @@ namespace {
 constexpr int kNearest = 3;  // of each other, to be a match
 
 Features describe_towards(const Cloud& cloud, const Cloud& normals, bool trust,
-                          const Viewpoints& viewpoints, double leaf, const Settings& settings,
-                          const Kernels& kernels, int threads) {
+                          const std::optional<Viewpoint>& viewpoint, double leaf,
+                          const Settings& settings, const Kernels& kernels, int threads) {
   FeatureDefinition definition = feature_definition(settings, leaf);
   definition.trust_normals = trust;
   definition.backend = FeatureBackend::Simd;
-  if (!viewpoints.candidates.empty())
-    definition.viewpoint = viewpoints.candidates.front().in_float();
+  if (viewpoint) definition.viewpoint = viewpoint->in_float();
   return describe(cloud, definition, kernels, threads, normals);
 }
 
 }  // namespace
 
 std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
-                                       const Viewpoints& source_viewpoints,
-                                       const Viewpoints& target_viewpoints,
+                                       const std::optional<Viewpoint>& source_viewpoint,
+                                       const std::optional<Viewpoint>& target_viewpoint,
                                        const Settings& settings, const Kernels& kernels,
                                        int threads) {
   Settings many = settings;
@@ -33,10 +32,10 @@ std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
   const DownsampledClouds d = downsample_dense(pair, many);
   const bool trust = trust_normals(pair);
   const Features source =
-      describe_towards(d.source_dense, d.source_normals, trust, source_viewpoints, d.leaf_dense,
+      describe_towards(d.source_dense, d.source_normals, trust, source_viewpoint, d.leaf_dense,
                        settings, kernels, threads);
   const Features target =
-      describe_towards(d.target_dense, d.target_normals, trust, target_viewpoints, d.leaf_dense,
+      describe_towards(d.target_dense, d.target_normals, trust, target_viewpoint, d.leaf_dense,
                        settings, kernels, threads);
 
   std::vector<Rigid> out;
@@ -52,9 +51,9 @@ std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
       out.push_back(seed.pose);
   };
   search(source);
-  const bool both_given =
-      source_viewpoints.candidates.size() == 1 && target_viewpoints.candidates.size() == 1;
-  if (!trust && !both_given) search(mirrored(source));
+  const auto believed = [](const std::optional<Viewpoint>& v) { return v && v->trust == 1; };
+  if (!trust && !(believed(source_viewpoint) && believed(target_viewpoint)))
+    search(mirrored(source));
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/rigid.h"
@@ -16,8 +17,8 @@ namespace emtr {
 /// are among the three nearest of each other. Seeds of consistent matches, the best supported
 /// first.
 std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
-                                       const Viewpoints& source_viewpoints,
-                                       const Viewpoints& target_viewpoints,
+                                       const std::optional<Viewpoint>& source_viewpoint,
+                                       const std::optional<Viewpoint>& target_viewpoint,
                                        const Settings& settings, const Kernels& kernels,
                                        int threads);
 

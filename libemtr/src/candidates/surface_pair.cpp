@@ -14,11 +14,13 @@ std::unique_ptr<Neighbors> neighbors(const Surface& surface, const Kernels& kern
 }  // namespace
 
 SurfacePair::SurfacePair(const SharedSurface& source, const SharedSurface& target,
-                         const Viewpoints& source_viewpoints, const Viewpoints& target_viewpoints,
-                         const Kernels& kernels)
+                         const std::optional<Viewpoint>& source_viewpoint,
+                         const std::optional<Viewpoint>& target_viewpoint, const Kernels& kernels)
     : source_(source),
       target_(target),
-      ranking_(source_, target_, source_viewpoints, target_viewpoints, kernels),
+      source_viewpoint_(source_viewpoint),
+      target_viewpoint_(target_viewpoint),
+      ranking_(source_, target_, source_viewpoint, target_viewpoint, kernels),
       near_target_(neighbors(*target_, kernels)),
       local_refinement_(source_, target_, nullptr, near_target_.get(), coarse_refinement(),
                         kernels) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "features/fpfh.h"
 #include "geometry/surface.h"
@@ -14,11 +15,11 @@ class SurfacePair {
  public:
   static constexpr std::size_t kQuickStep = 8;  ///< a shortlist looks at every eighth point
 
-  /// Shares the surfaces. Without viewpoints free space is not taken into account. Throws
-  /// std::invalid_argument as SurfaceFit does.
+  /// Shares the surfaces. Where a viewpoint is not known, free space is not taken into account.
+  /// Throws std::invalid_argument as SurfaceFit does.
   SurfacePair(const SharedSurface& source, const SharedSurface& target,
-              const Viewpoints& source_viewpoints, const Viewpoints& target_viewpoints,
-              const Kernels& kernels);
+              const std::optional<Viewpoint>& source_viewpoint,
+              const std::optional<Viewpoint>& target_viewpoint, const Kernels& kernels);
   SurfacePair(const SurfacePair&) = delete;
   SurfacePair& operator=(const SurfacePair&) = delete;
 
@@ -26,11 +27,16 @@ class SurfacePair {
   const SharedSurface& shared_target() const { return target_; }
   const Surface& source() const { return *source_; }
   const Surface& target() const { return *target_; }
+  const std::optional<Viewpoint>& source_viewpoint() const { return source_viewpoint_; }
+  const std::optional<Viewpoint>& target_viewpoint() const { return target_viewpoint_; }
   const Ranking& ranking() const { return ranking_; }
+  /// Nearest points of the target, within four leaves.
+  const Neighbors& near_target() const { return *near_target_; }
   const LocalRefinement& local_refinement() const { return local_refinement_; }
 
  private:
   const SharedSurface source_, target_;
+  const std::optional<Viewpoint> source_viewpoint_, target_viewpoint_;
   Ranking ranking_;
   std::unique_ptr<Neighbors> near_target_;
   LocalRefinement local_refinement_;

@@ -27,8 +27,8 @@ class Side {
   Side(const PreprocessedCloud& cloud, double scale, const char* name)
       : cloud_(cloud), factor_(cloud.radius / scale), name_(name) {}
 
-  /// Throws Error when the row does not exist or is not finite.
-  void require(std::int32_t row, std::size_t pair) const {
+  /// Returns false for a stray. Throws Error when the row does not exist or is not finite.
+  bool takes(std::int32_t row, std::size_t pair) const {
     float p[3];
     const auto refuse = [&](const std::string& what) {
       throw Error(EMTR_ERROR_ARGUMENT, "correspondences: row " + std::to_string(pair) + ": " +
@@ -36,7 +36,9 @@ class Side {
     };
     if (row < 0 || static_cast<std::size_t>(row) >= cloud_.rows())
       refuse(", expected 0 to " + std::to_string(cloud_.rows() - 1));
-    if (!cloud_.find(static_cast<std::size_t>(row), p)) refuse(" is not finite");
+    if (cloud_.find(static_cast<std::size_t>(row), p)) return true;
+    if (!cloud_.is_stray(static_cast<std::size_t>(row))) refuse(" is not finite");
+    return false;
   }
 
   /// Returns the points that the correspondences name.
@@ -81,9 +83,8 @@ UserCorrespondences load_user_correspondences(const NormalizedPair& pair, const 
   for (std::size_t i = 0; i < count; ++i) {
     check_cancelled_each(i, 10);
     const Correspondence match{rows[2 * i], rows[2 * i + 1]};
-    source.require(match.source, i);
-    target.require(match.target, i);
-    if (known.emplace(match.source, match.target).second) distinct.push_back(match);
+    const bool from = source.takes(match.source, i), to = target.takes(match.target, i);
+    if (from && to && known.emplace(match.source, match.target).second) distinct.push_back(match);
   }
   if (distinct.size() < kMinimumCount)
     throw Error(EMTR_ERROR_ARGUMENT, "correspondences: " + std::to_string(distinct.size()) +

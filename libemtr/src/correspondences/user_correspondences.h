@@ -22,8 +22,8 @@ struct UserCorrespondences {
 constexpr std::size_t kMaximumMatches = 20000;
 
 /// Reads `count` pairs (row of the source, row of the target). Takes each pair once and, of more
-/// than `max_count`, as many evenly selected ones. Throws Error, naming the pair, on rows that do
-/// not exist or were dropped, and when fewer than 3 pairs are left.
+/// than `max_count`, as many evenly selected ones; none of strays. Throws Error, naming the pair,
+/// on rows that do not exist or are not finite, and when fewer than 3 pairs are left.
 UserCorrespondences load_user_correspondences(const NormalizedPair& pair, const std::int32_t* rows,
                                               std::size_t count, std::size_t max_count);
 

@@ -19,6 +19,7 @@ void fill_unknown(emtr_result& r) {
   r.overlap_source = r.overlap_target = r.inlier_rmse = r.inlier_rmse_plane = kUnknown;
   r.leaf_fine = kUnknown;
   r.confidence = r.score = r.surface_fit = r.violation = r.score_gap = kUnknown;
+  r.surface_near = r.evidence = r.scale_factor = kUnknown;
 }
 
 void fill_problem(const Problem& problem, emtr_result& r) {
@@ -28,10 +29,12 @@ void fill_problem(const Problem& problem, emtr_result& r) {
   if (const PreprocessedCloud* source = problem.pair.preprocessed_source.get()) {
     r.points_source = source->count;
     r.dropped_source = source->dropped;
+    r.strays_source = source->strays;
   }
   if (const PreprocessedCloud* target = problem.pair.preprocessed_target.get()) {
     r.points_target = target->count;
     r.dropped_target = target->dropped;
+    r.strays_target = target->strays;
   }
   const Normalization& normalization = problem.pair.normalization;
   r.normalization_scale = normalization.scale;
@@ -93,10 +96,13 @@ void fill_candidates(const Problem& problem, const Solution& found, Result& r) {
   r.used_fallback_search = found.candidates->used_fallback_search();
   r.score = best.score;
   r.surface_fit = best.fit.score;
+  r.surface_near = best.fit.near;
   r.violation = best.violation;
   if (!found.confidence) return;  // stopped before the others were ranked
   r.score_gap = found.confidence->score_gap;
   r.confidence = found.confidence->probability;
+  r.evidence = found.confidence->evidence;
+  r.scale_factor = found.confidence->scale_factor;
   fill_alternatives(*found.confidence, problem.pair.normalization, r);
   if (found.stopped) return;
   const bool unconstrained = found.refined.unconstrained > 0 && found.refined.succeeded;

@@ -5,6 +5,7 @@
 #include "neighbors/kdtree_neighbors.h"
 #include "pipeline/problem_stages.h"
 #include "ranking/given_viewpoints.h"
+#include "ranking/sampling_viewpoint.h"
 
 namespace emtr {
 namespace {
@@ -44,14 +45,18 @@ void make_tasks(Problem& problem) {
 void make_surfaces(Problem& problem) {
   if (problem.settings.candidates == 0) return;
   const DownsampledClouds& clouds = problem.downsampled;
-  const GivenViewpoints sensors(problem.settings, problem.pair.normalization);
-  const auto viewpoints = [&](const Surface& cloud, const std::optional<Viewpoint>& sensor) {
-    return sensor ? given_viewpoint(cloud, *sensor, problem.kernels) : Viewpoints{};
-  };
   Surface source = surface(clouds.source_dense, problem.source_features, clouds.leaf_dense),
           target = surface(clouds.target_dense, problem.target_features, clouds.leaf_dense);
-  const Viewpoints of_source = viewpoints(source, sensors.source),
-                   of_target = viewpoints(target, sensors.target);
+  const Normalization& n = problem.pair.normalization;
+  const GivenViewpoints given(problem.settings, n);
+  const auto viewpoint = [&](const std::optional<Viewpoint>& known, const Surface& of,
+                             const Cloud& points, const double center[3]) {
+    if (known || !problem.settings.free_space) return known;
+    const double origin[3] = {-center[0] / n.scale, -center[1] / n.scale, -center[2] / n.scale};
+    return std::optional<Viewpoint>(estimate_sampling_viewpoint(of, points, origin));
+  };
+  const auto of_source = viewpoint(given.source, source, problem.pair.source, n.center_source),
+             of_target = viewpoint(given.target, target, problem.pair.target, n.center_target);
   problem.surfaces = std::make_unique<SurfacePair>(std::move(source), std::move(target), of_source,
                                                    of_target, problem.kernels);
 }

@@ -2,6 +2,7 @@
 
 #include "pipeline/problem_stages.h"
 #include "pipeline/progress.h"
+#include "preprocessing/extrusion.h"
 #include "priors/make_prior.h"
 #include "settings/validation.h"
 #include "util/thread_team.h"
@@ -23,6 +24,7 @@ void run_stages(InputCloud& source, InputCloud& target, const Settings& user, St
   progress.enter(Stage::Normalization);
   problem.pair = normalize(source, target, user);
   problem.prior = make_prior(settings, problem.pair.normalization);
+  extrude_flat_pair(problem.pair, settings);
 
   load_user_matches(user, problem);
   if (problem.user_matches.matches.size() && settings.seeds > 0 && settings.candidates > 0) {

@@ -97,14 +97,22 @@ const std::vector<emtr_result_field_info>& result_table() {
     FIELD(inlier_rmse_plane, Real, "quality", "user's unit",
           "root mean square distance to the tangent planes there, which does not grow with the "
           "spacing of the points"),
-    FIELD(score, Real, "quality", "",
-          "surface_fit - 2 violation, at most 1; the share of given matches that are inliers where "
-          "these "
-          "decide"),
+    FIELD(
+        score, Real, "quality", "",
+        "surface_fit - 0.1 (surface_near - surface_fit) - violation, at most 1; the share of given "
+        "matches that are inliers where these decide"),
     FIELD(surface_fit, Real, "quality", "",
-          "how well the surfaces lie on each other, 0 to 1 (best)"),
+          "how well the surfaces lie on each other, each point by its distinctiveness, 0 to 1 "
+          "(best)"),
+    FIELD(surface_near, Real, "quality", "",
+          "share of the points near the other surface, on it or not, by distinctiveness"),
     FIELD(violation, Real, "quality", "",
-          "share of the points in front of what the other scan saw, 0 (best) to 1"),
+          "share of the points in front of what the other scan saw, 0 (best) to 1, times the trust "
+          "in the place of its sensor"),
+    FIELD(evidence, Real, "quality", "points",
+          "how many dense points of the poorer cloud lie on the other"),
+    FIELD(scale_factor, Real, "quality", "",
+          "factor of the source's lengths at which it fits better; 1 where none does"),
     FIELD(score_gap, Real, "quality", "",
           "score minus that of the best clearly different candidate"),
 
@@ -133,6 +141,10 @@ const std::vector<emtr_result_field_info>& result_table() {
           "points of the source with a NaN or an infinity"),
     FIELD(dropped_target, Size, "counts", "points",
           "points of the target with a NaN or an infinity"),
+    FIELD(strays_source, Size, "counts", "points",
+          "finite points of the source far outside of all the others, which were left out"),
+    FIELD(strays_target, Size, "counts", "points",
+          "finite points of the target far outside of all the others, which were left out"),
     FIELD(sparse_source, Size, "counts", "points", "points of the sparse source cloud"),
     FIELD(sparse_target, Size, "counts", "points", "points of the sparse target cloud"),
     FIELD(dense_source, Size, "counts", "points", "points of the dense source cloud"),

@@ -36,6 +36,9 @@ void take_best_candidate(const Problem& problem, Solution& found) {
   found.pose = ranked.front().pose;
   found.confidence = estimate_confidence(ranked, problem.downsampled.source_dense.size(),
                                          problem.downsampled.target_dense.size());
+  if (problem.pair.extruded)
+    found.confidence->probability =
+        lower_outline_confidence(found.confidence->probability, ranked.front().score);
 }
 
 /// Makes the fine surfaces when first asked for.
@@ -117,6 +120,15 @@ void measure_overlap(const Problem& problem, Solution& found) {
         lower_confidence(found.confidence->probability,
                          surface_mismatch(overlap, problem.pair, surfaces, problem.kernels));
   found.overlap = overlap;
+}
+
+void weigh_changed_source(const Problem& problem, Solution& found) {
+  if (!found.confidence || found.confidence->probability < problem.settings.minimum_confidence)
+    return;
+  const Candidate& best = found.candidates->ranked().front();
+  weigh_changed_source(best, mirrored_score(*problem.surfaces, best.pose, problem.kernels),
+                       best_scale(*problem.surfaces, best.pose, problem.kernels),
+                       *found.confidence);
 }
 
 void take_best_so_far(const Problem& problem, Solution& found) {

@@ -34,6 +34,10 @@ void refine_pose(const Problem& problem, Solution& found);
 /// where the refined surfaces do not lie flush.
 void measure_overlap(const Problem& problem, Solution& found);
 
+/// Lowers the confidence of a pose that would be called registered where the source fits better
+/// mirrored or at another scale.
+void weigh_changed_source(const Problem& problem, Solution& found);
+
 /// Takes the best pose that is known when a stage was stopped, if any is.
 void take_best_so_far(const Problem& problem, Solution& found);
 

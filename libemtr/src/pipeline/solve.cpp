@@ -36,6 +36,7 @@ void run_stages(const Problem& problem, Progress& progress, Solution& found) {
 
   progress.enter(Stage::Verdict);
   measure_overlap(problem, found);
+  weigh_changed_source(problem, found);
 }
 
 void search(const Problem& problem, CancellationToken& token, Solution& found) {

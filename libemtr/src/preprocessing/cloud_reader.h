@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <optional>
 #include <string>
 
+#include "preprocessing/ball.h"
 #include "util/constants.h"
 #include "util/enum_number.h"
 #include "util/error.h"
@@ -39,6 +41,9 @@ class CloudReader {
   std::size_t count() const { return count_; }
   std::size_t blocks() const { return (count_ + kBlock - 1) / kBlock; }
 
+  /// Leaves out all points outside of a ball from now on, as if they were not finite.
+  void keep_within(const Ball& ball) { within_ = ball; }
+
   /// Calls visit(i, p) for each finite point of a block, in order, with its place in the block and
   /// its coordinates, a const double[3].
   template <class Visit>
@@ -53,7 +58,7 @@ class CloudReader {
     single_ ? all(float{}) : all(double{});
   }
 
-  /// Reads one point; returns false when it is not finite.
+  /// Reads one point; returns false when it is not finite or left out.
   bool read(std::size_t index, double p[3]) const {
     return single_ ? read<float>(index, p) : read<double>(index, p);
   }
@@ -74,12 +79,14 @@ class CloudReader {
     Scalar raw[3];
     std::memcpy(raw, first_ + index * stride_, sizeof raw);  // the user may not have aligned it
     std::copy_n(raw, 3, p);
-    return std::isfinite(raw[0]) && std::isfinite(raw[1]) && std::isfinite(raw[2]);
+    if (!(std::isfinite(raw[0]) && std::isfinite(raw[1]) && std::isfinite(raw[2]))) return false;
+    return !within_ || within_->contains(p);
   }
 
   const char* first_;
   std::size_t count_, stride_ = 0;
   bool single_;
+  std::optional<Ball> within_;
 };
 
 }  // namespace emtr

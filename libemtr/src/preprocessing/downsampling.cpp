@@ -53,16 +53,17 @@ double find_leaf(const std::function<std::size_t(float)>& count, double wanted, 
 
 /// Returns the finest useful leaf. Below about 1.5 point spacings a voxel holds single points, and
 /// neither downsampling nor the neighborhoods of normals and features work. This matters only for
-/// clouds of few points.
+/// clouds of few points: the sparser one, however many points the other has.
 double finest_leaf(const NormalizedPair& pair, const Settings& settings) {
-  const auto points = pair.source.size() + pair.target.size();
-  if (points > 4 * static_cast<std::size_t>(settings.dense_points)) return kFinestLeaf;
   const auto spacing = [&](const PreprocessedCloud& cloud) {
+    if (cloud.base.size() > 4 * static_cast<std::size_t>(settings.dense_points)) return 0.0;
     return cloud.spacing() * (cloud.radius / pair.normalization.scale);
   };
   const double wider =
       std::max(spacing(*pair.preprocessed_source), spacing(*pair.preprocessed_target));
-  return std::clamp(settings.minimum_leaf_spacing * wider, kFinestLeaf, kCoarsestLeaf / 2);
+  // Along an outline the nearest of two neighbors is much nearer than the other.
+  const double spacings = settings.minimum_leaf_spacing * (pair.extruded ? 2 : 1);
+  return std::clamp(spacings * wider, kFinestLeaf, kCoarsestLeaf / 2);
 }
 
 /// Throws Error when too few points are left: one leaf serves both clouds, so a cloud much smaller
@@ -93,6 +94,7 @@ class Downsampler {
     const auto count = [&](float leaf) { return counters_[0](leaf) + counters_[1](leaf); };
     out.leaf_dense = find_leaf(count, settings_.dense_points, finest_leaf(pair_, settings_),
                                std::sqrt(10.0 / settings_.dense_points));
+    out.leaf_dense = grown_leaf(out.leaf_dense);
     downsample_both(out.leaf_dense, out.source_dense, out.target_dense);
 
     const auto mean_of = [&](const Cloud& cloud, const Cloud& normals) {
@@ -118,6 +120,30 @@ class Downsampler {
   }
 
  private:
+  /// Returns the leaf, larger where a cloud is not a surface at that scale but a set of curves: the
+  /// rings of a spinning LiDAR, whose normals mean nothing and which lie best on the rings of the
+  /// other scan, whatever the scene.
+  double grown_leaf(double leaf) {
+    constexpr double kStep = 1.189207115002721;  // the fourth root of 2
+    const double largest = std::min(settings_.maximum_leaf_growth * leaf, kCoarsestLeaf);
+    while (leaf * kStep <= largest && (lies_along_curves(0, leaf) || lies_along_curves(1, leaf)))
+      leaf *= kStep;
+    return leaf;
+  }
+
+  /// Tells by the dimension log2 N(l) / N(2 l) of a cloud at the leaf l, where N counts the
+  /// occupied voxels: about 2 for a surface, 1 for curves. A cloud that is less than a curve at
+  /// half the leaf is just sparse.
+  bool lies_along_curves(int side, double leaf) {
+    constexpr double kCurve = 1.68, kSurface = 2.64;  // 2^0.75, 2^1.4
+    check_cancelled();
+    const auto voxels = [&](double at) {
+      return static_cast<double>(counters_[side](static_cast<float>(at)));
+    };
+    const double here = voxels(leaf);
+    return voxels(leaf / 2) > kCurve * here && here < kSurface * voxels(2 * leaf);
+  }
+
   void downsample_both(double leaf, Cloud& source, Cloud& target) const {
     const Cloud* const clouds[2] = {&pair_.source, &pair_.target};
     Cloud* const outputs[2] = {&source, &target};

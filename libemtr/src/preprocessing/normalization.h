@@ -26,6 +26,7 @@ struct NormalizedPair {
   Normalization normalization;
   Cloud source, target;  ///< the base points; those of the larger cloud unchanged
   PreprocessedCloudPtr preprocessed_source, preprocessed_target;
+  bool extruded = false;  ///< from two dimensions, see extrude_flat_pair()
 };
 
 /// Returns all coordinates times a factor.

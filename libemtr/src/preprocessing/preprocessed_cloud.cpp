@@ -11,12 +11,13 @@ namespace emtr {
 
 namespace {
 
-std::vector<std::int64_t> finite_rows(const CloudReader& reader) {
+template <class Wanted>
+std::vector<std::int64_t> rows_of(const CloudReader& reader, const Wanted& wanted) {
   std::vector<std::int64_t> out;
   for (std::size_t block = 0; block < reader.blocks(); ++block) {
     check_cancelled();
-    reader.each_finite(block, [&](std::size_t i, const double*) {
-      out.push_back(static_cast<std::int64_t>(block * CloudReader::kBlock + i));
+    reader.each_finite(block, [&](std::size_t i, const double* p) {
+      if (wanted(p)) out.push_back(static_cast<std::int64_t>(block * CloudReader::kBlock + i));
     });
   }
   return out;
@@ -30,12 +31,15 @@ bool any_valid(const Cloud& normals) {
 
 PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string& name, int threads)
     : title_(name.empty() ? "cloud" : name + " cloud") {
-  const CloudReader reader(cloud, title_);
+  CloudReader reader(cloud, title_);
   if (reader.count() <= kDownsampledAbove) threads = 1;  // done sooner than other threads wake up
   const Extent extent =
       measure_extent(reader, title_, threads, cloud.keep_points ? kMatchedPoints : kSurfacePoints);
-  count = extent.count;
+  strays = extent.strays;
+  count = extent.count + strays;
   dropped = reader.count() - count;
+  const CloudReader all = reader;
+  if (extent.without_strays) reader.keep_within(*extent.without_strays);
   std::copy_n(extent.center, 3, center);
   radius = extent.radius;
   std::optional<NormalReader> directions;
@@ -52,14 +56,17 @@ PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string&
         title_ +
             ": normals are given, but no finite point has one that is finite and has a length");
   keypoints = read_keypoints(cloud, reader, extent, title_);
-  const bool whole = count <= kDownsampledAbove;
-  if (!whole && cloud.keep_points)
+  whole_ = extent.count <= kDownsampledAbove;
+  if (!whole_ && cloud.keep_points)
     all_points_ = read_all_points(reader, nullptr, extent, threads).points;
-  if (dropped && (whole || cloud.keep_points)) finite_ = finite_rows(reader);
+  if (!whole_ && !cloud.keep_points) return;
+  if (dropped || strays) finite_ = rows_of(reader, [](const double*) { return true; });
+  if (strays)
+    strays_ = rows_of(all, [&](const double* p) { return !extent.without_strays->contains(p); });
 }
 
 bool PreprocessedCloud::find(std::size_t row, float p[3]) const {
-  const Cloud& all = count <= kDownsampledAbove ? base : all_points_;
+  const Cloud& all = whole_ ? base : all_points_;
   if (all.size() == 0)
     throw Error(EMTR_ERROR_ARGUMENT, title_ +
                                          ": preprocessed without keep_points, expected it for "
@@ -75,6 +82,10 @@ bool PreprocessedCloud::find(std::size_t row, float p[3]) const {
   p[1] = all.y[row];
   p[2] = all.z[row];
   return true;
+}
+
+bool PreprocessedCloud::is_stray(std::size_t row) const {
+  return std::binary_search(strays_.begin(), strays_.end(), static_cast<std::int64_t>(row));
 }
 
 double PreprocessedCloud::spacing() const {

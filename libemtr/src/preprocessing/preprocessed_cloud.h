@@ -24,18 +24,21 @@ class PreprocessedCloud {
 
   std::size_t count = 0;    ///< finite points
   std::size_t dropped = 0;  ///< points with a NaN or an infinity
+  std::size_t strays = 0;   ///< finite points far outside of all the others, which it leaves out
   double center[3] = {};    ///< centroid, the user's unit
   double radius = 0;        ///< largest distance from it, the user's unit
-  /// (p - center) / radius: all finite points or, for a large cloud, their centroids in voxels far
-  /// smaller than those of any downsampled cloud.
+  /// (p - center) / radius: all finite points but strays or, for a large cloud, their centroids in
+  /// voxels far smaller than those of any downsampled cloud.
   Cloud base;
   Cloud normals;        ///< of the base points, see BasePoints; empty when the user provided none
   Keypoints keypoints;  ///< points with the user's descriptors
 
   /// Writes the position of a row of the user's array, (p - center) / radius; returns false when
-  /// the row was dropped. Throws Error when the cloud was downsampled and did not ask to keep its
-  /// points.
+  /// the row was dropped or is a stray. Throws Error when the cloud was downsampled and did not ask
+  /// to keep its points.
   bool find(std::size_t row, float p[3]) const;
+  /// Tells whether a row of the user's array is a stray; find() must be able to tell its position.
+  bool is_stray(std::size_t row) const;
   std::size_t rows() const { return count + dropped; }  ///< of the user's array
 
   /// Returns the mean distance of a base point to its nearest other, computed at the first call. No
@@ -46,7 +49,9 @@ class PreprocessedCloud {
  private:
   const std::string title_;
   Cloud all_points_;                  ///< the finite points of a downsampled cloud that keeps them
-  std::vector<std::int64_t> finite_;  ///< the user's rows of all finite points, when some are not
+  bool whole_ = false;                ///< the base points are all points
+  std::vector<std::int64_t> finite_;  ///< the user's rows of all points, when some are left out
+  std::vector<std::int64_t> strays_;  ///< the user's rows of the strays
   mutable std::atomic<double> spacing_{-1};
 };
 

@@ -10,7 +10,7 @@
 namespace emtr {
 namespace {
 
-constexpr float kMargin = 2;  // leaves, to be clearly in front
+constexpr float kMargin = 0.7f;  // leaves, to be clearly in front
 constexpr int kMinimumFilled = 6;
 constexpr float kEmpty = std::numeric_limits<float>::infinity();
 
@@ -86,10 +86,12 @@ void DepthMap::find_free_ranges(const CubeMap::Window& w, const std::vector<floa
     }
 }
 
-std::size_t DepthMap::in_front(const Cloud& points, const Rigid& pose, Scratch& s) const {
+std::size_t DepthMap::in_front(const Cloud& points, const Rigid& pose, Scratch& s,
+                               const std::uint8_t* inlier) const {
   move(kernels_, points, bins_.to_view() * pose, s);
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (inlier && inlier[i]) continue;
     const DirectionBins::Bin bin = bins_(s.x[i], s.y[i], s.z[i]);
     const CubeMap::Window& w = map_.window(bin.face);
     if (!w.contains(bin)) continue;

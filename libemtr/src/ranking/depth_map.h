@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/cloud.h"
@@ -20,10 +21,12 @@ class DepthMap {
   };
 
   /// Counts the points that, moved by `pose` into this map's cloud, lie clearly in front of what
-  /// was seen: nearer by 2 leaves than all in the 3 x 3 bins about their direction, where at least
-  /// 6 of these 9 hold something. A bin is a leaf wide at the median range. Behind, or where
+  /// was seen: nearer by 0.7 leaves than all in the 3 x 3 bins about their direction, where at
+  /// least 6 of these 9 hold something. A bin is a leaf wide at the median range. Behind, or where
   /// nothing was seen, nothing can be said.
-  std::size_t in_front(const Cloud& points, const Rigid& pose, Scratch& scratch) const;
+  /// Leaves out the points that `inlier` marks, one entry each; it may be null.
+  std::size_t in_front(const Cloud& points, const Rigid& pose, Scratch& scratch,
+                       const std::uint8_t* inlier = nullptr) const;
 
  private:
   using Bins = std::vector<DirectionBins::Bin>;

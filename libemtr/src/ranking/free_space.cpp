@@ -1,49 +1,30 @@
 #include "ranking/free_space.h"
 
-#include <algorithm>
-
 namespace emtr {
-namespace {
 
-std::vector<DepthMap> depth_maps(const Surface& surface, const Viewpoints& viewpoints,
-                                 const Kernels& kernels) {
-  std::vector<DepthMap> out;
-  for (const Viewpoint& viewpoint : viewpoints.candidates)
-    out.emplace_back(surface.points, viewpoint.at, surface.leaf, kernels);
-  return out;
+std::optional<FreeSpace::Seen> FreeSpace::seen(const Surface& surface,
+                                               const std::optional<Viewpoint>& viewpoint,
+                                               const Kernels& kernels) {
+  if (!viewpoint || viewpoint->trust <= 0) return std::nullopt;
+  return Seen{DepthMap(surface.points, viewpoint->at, surface.leaf, kernels), viewpoint->trust};
 }
 
-}  // namespace
-
 FreeSpace::FreeSpace(const Surface& source, const Surface& target,
-                     const Viewpoints& source_viewpoints, const Viewpoints& target_viewpoints,
-                     const Kernels& kernels)
-    : source_(source),
-      target_(target),
-      source_maps_(depth_maps(source, source_viewpoints, kernels)),
-      target_maps_(depth_maps(target, target_viewpoints, kernels)) {}
+                     const std::optional<Viewpoint>& source_viewpoint,
+                     const std::optional<Viewpoint>& target_viewpoint, const Kernels& kernels)
+    : by_source_(seen(source, source_viewpoint, kernels)),
+      by_target_(seen(target, target_viewpoint, kernels)) {}
 
-double FreeSpace::violation(const Cloud& source, const Cloud& target, const Rigid& pose,
-                            double sign, Scratch& scratch) const {
-  const Rigid inverse = pose.inverse();
-  const auto share = [&](const DepthMap& map, const Cloud& points, const Rigid& moved) {
-    return static_cast<double>(map.in_front(points, moved, scratch)) /
-           static_cast<double>(points.size());
+double FreeSpace::violation(const Points& source, const Points& target, const Rigid& pose,
+                            Scratch& scratch) const {
+  const auto share = [&](const std::optional<Seen>& seen, const Points& points,
+                         const Rigid& moved) {
+    if (!seen) return 0.0;
+    const auto count =
+        static_cast<double>(seen->map.in_front(points.cloud, moved, scratch, points.inlier.data()));
+    return seen->trust * count / static_cast<double>(points.cloud.size());
   };
-  double s[2] = {}, t[2] = {};  // shares in front of what the source's (the target's) sensor saw
-  for (std::size_t i = 0; i < source_maps_.size(); ++i)
-    s[i] = share(source_maps_[i], target, inverse);
-  for (std::size_t i = 0; i < target_maps_.size(); ++i) t[i] = share(target_maps_[i], source, pose);
-
-  double minimum = 1;
-  const auto same_side = [sign](std::size_t i, std::size_t j) { return (i == j) == (sign > 0); };
-  const std::size_t n = std::max<std::size_t>(source_maps_.size(), 1),
-                    m = std::max<std::size_t>(target_maps_.size(), 1);
-  const bool all = source_maps_.empty() || target_maps_.empty() || (n == 1 && m == 1) || sign == 0;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < m; ++j)
-      if (all || same_side(i, j)) minimum = std::min(minimum, (s[i] + t[j]) / 2);
-  return minimum;
+  return (share(by_source_, target, pose.inverse()) + share(by_target_, source, pose)) / 2;
 }
 
 }  // namespace emtr

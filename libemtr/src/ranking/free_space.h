@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/surface.h"
@@ -14,30 +16,32 @@ class FreeSpace {
  public:
   using Scratch = DepthMap::Scratch;
 
-  /// The normals must be oriented (orient_normals()) to the first viewpoint of each surface that
-  /// has any. The surfaces and the kernels must outlive this.
-  FreeSpace(const Surface& source, const Surface& target, const Viewpoints& source_viewpoints,
-            const Viewpoints& target_viewpoints, const Kernels& kernels);
+  /// Clouds with a flag for each point that lies on the other: it is no contradiction.
+  struct Points {
+    const Cloud& cloud;
+    const std::vector<std::uint8_t>& inlier;
+  };
 
-  /// Returns the mean of the shares of both clouds' points that lie clearly in front of what the
-  /// other's sensor saw, 0 to 1; 0 for a cloud whose counterpart has no viewpoint.
-  ///
-  /// `sign`: that of the normals under this pose (SurfaceFitValue::sign). Both sensors saw the same
-  /// side of the surface where it is positive, so that first goes with first and mirrored with
-  /// mirrored; first with mirrored where it is negative. The minimum of those combinations counts.
-  /// Where only one surface has viewpoints, where both are given, or where the sign is 0, all are
-  /// tried.
-  double violation(const Rigid& pose, double sign, Scratch& scratch) const {
-    return violation(source_.points, target_.points, pose, sign, scratch);
-  }
-  /// Returns the same for a part of both clouds' points.
-  double violation(const Cloud& source, const Cloud& target, const Rigid& pose, double sign,
+  /// The kernels must outlive this.
+  FreeSpace(const Surface& source, const Surface& target,
+            const std::optional<Viewpoint>& source_viewpoint,
+            const std::optional<Viewpoint>& target_viewpoint, const Kernels& kernels);
+
+  /// Returns the mean of two shares, 0 to 1: that of each cloud's points that lie clearly in front
+  /// of what the other's sensor saw, times the trust in that sensor's place. 0 for a cloud whose
+  /// counterpart has no viewpoint.
+  double violation(const Points& source, const Points& target, const Rigid& pose,
                    Scratch& scratch) const;
 
  private:
-  const Surface& source_;
-  const Surface& target_;
-  std::vector<DepthMap> source_maps_, target_maps_;
+  struct Seen {
+    DepthMap map;
+    double trust;
+  };
+  static std::optional<Seen> seen(const Surface& surface, const std::optional<Viewpoint>& viewpoint,
+                                  const Kernels& kernels);
+
+  const std::optional<Seen> by_source_, by_target_;
 };
 
 }  // namespace emtr

@@ -5,43 +5,34 @@
 namespace emtr {
 namespace {
 
-constexpr double kViolationWeight = 2;
+constexpr double kMissWeight = 0.1;
 
-SharedSurface oriented(const SharedSurface& surface, const Viewpoints& viewpoints) {
-  if (viewpoints.candidates.empty()) return surface;
+bool is_given(const std::optional<Viewpoint>& viewpoint) { return viewpoint && viewpoint->given; }
+
+SharedSurface oriented(const SharedSurface& surface, const std::optional<Viewpoint>& viewpoint) {
+  if (!is_given(viewpoint)) return surface;
   Surface out = *surface;
-  orient_normals(out.points, viewpoints.candidates.front().in_float(), out.normals);
+  orient_normals(out.points, viewpoint->in_float(), out.normals);
   return SharedSurface(std::move(out));
 }
 
 }  // namespace
 
 Ranking::Ranking(const SharedSurface& source, const SharedSurface& target,
-                 const Viewpoints& source_viewpoints, const Viewpoints& target_viewpoints,
-                 const Kernels& kernels)
-    : source_(oriented(source, source_viewpoints)),
-      target_(oriented(target, target_viewpoints)),
-      both_given_(source_viewpoints.candidates.size() == 1 &&
-                  target_viewpoints.candidates.size() == 1),
-      fit_(source_, target_, kernels),
-      free_space_(*source_, *target_, source_viewpoints, target_viewpoints, kernels) {}
+                 const std::optional<Viewpoint>& source_viewpoint,
+                 const std::optional<Viewpoint>& target_viewpoint, const Kernels& kernels)
+    : both_given_(is_given(source_viewpoint) && is_given(target_viewpoint)),
+      fit_(oriented(source, source_viewpoint), oriented(target, target_viewpoint), kernels),
+      free_space_(*source, *target, source_viewpoint, target_viewpoint, kernels) {}
 
-Ranking::Value Ranking::evaluate(const Rigid& pose, Scratch& scratch, double minimum) const {
-  Value out;
-  out.fit = fit_.evaluate(pose, scratch.fit);
-  out.score = both_given_ ? out.fit.same_side : out.fit.score;
-  if (out.score <= minimum) return out;
-  out.violation = free_space_.violation(pose, out.fit.sign, scratch.free_space);
-  out.score -= kViolationWeight * out.violation;
-  return out;
-}
-
-Ranking::Value Ranking::quick(const Rigid& pose, std::size_t step, Scratch& scratch) const {
+Ranking::Value Ranking::evaluate(const Rigid& pose, Scratch& scratch, std::size_t step) const {
   Value out;
   out.fit = fit_.evaluate(pose, step, scratch.fit);
-  out.violation = free_space_.violation(fit_.points(0, step), fit_.points(1, step), pose,
-                                        out.fit.sign, scratch.free_space);
-  out.score = (both_given_ ? out.fit.same_side : out.fit.score) - kViolationWeight * out.violation;
+  out.violation = free_space_.violation({fit_.points(0, step), scratch.fit.inlier[0]},
+                                        {fit_.points(1, step), scratch.fit.inlier[1]}, pose,
+                                        scratch.free_space);
+  const double fit = both_given_ ? out.fit.same_side : out.fit.score;
+  out.score = fit - kMissWeight * (out.fit.near - fit) - out.violation;
   return out;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limits>
+#include <optional>
 
 #include "geometry/surface.h"
 #include "ranking/free_space.h"
@@ -8,8 +8,9 @@
 
 namespace emtr {
 
-/// Scores candidate poses for their ranking: how well the surfaces lie on each other, less how much
-/// they stand where the other's sensor saw nothing.
+/// Scores candidate poses for their ranking: how well the surfaces lie on each other where that
+/// means something, less what lies near the other surface but not on it, less what stands where the
+/// other's sensor saw nothing.
 class Ranking {
  public:
   struct Scratch {
@@ -20,32 +21,27 @@ class Ranking {
   struct Value {
     SurfaceFitValue fit;
     double violation = 0;
-    /// fit.score - 2 violation, at most 1. With fit.same_side in the place of fit.score where the
-    /// viewpoints of both are given: no sensor sees the back of what the other sees the front of.
+    /// fit.score - 0.1 (fit.near - fit.score) - violation, at most 1. With fit.same_side in the
+    /// place of fit.score where the user gave both viewpoints: no sensor sees the back of what the
+    /// other sees the front of.
     double score = 0;
   };
 
-  /// A surface with viewpoints is copied, for its normals to be oriented to them; any other is
-  /// shared. The kernels must outlive this. Throws as SurfaceFit does.
+  /// A surface with a viewpoint that the user gave is copied, for its normals to be oriented to it;
+  /// any other is shared. The kernels must outlive this. Throws as SurfaceFit does.
   Ranking(const SharedSurface& source, const SharedSurface& target,
-          const Viewpoints& source_viewpoints, const Viewpoints& target_viewpoints,
-          const Kernels& kernels);
+          const std::optional<Viewpoint>& source_viewpoint,
+          const std::optional<Viewpoint>& target_viewpoint, const Kernels& kernels);
   Ranking(const Ranking&) = delete;
   Ranking& operator=(const Ranking&) = delete;
 
-  /// Leaves a pose whose fit alone does not exceed `minimum` at that: its score, which is no more
-  /// than that of its fit, is then given without looking for violations.
-  Value evaluate(const Rigid& pose, Scratch& scratch,
-                 double minimum = -std::numeric_limits<double>::infinity()) const;
-
-  /// Scores by every step-th point alone, for a first pass over many poses (see
-  /// SurfaceFit::add_subset).
-  Value quick(const Rigid& pose, std::size_t step, Scratch& scratch) const;
+  /// Scores by every `step`-th point, all by default; fewer are for a first pass over many poses
+  /// (see SurfaceFit::add_subset).
+  Value evaluate(const Rigid& pose, Scratch& scratch, std::size_t step = 1) const;
   SurfaceFit& fit() { return fit_; }
   const SurfaceFit& fit() const { return fit_; }
 
  private:
-  const SharedSurface source_, target_;
   const bool both_given_;
   SurfaceFit fit_;
   FreeSpace free_space_;

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "geometry/transform.h"
+#include "ranking/distinctiveness.h"
 
 namespace emtr {
 namespace {
@@ -21,43 +23,65 @@ float common_leaf(const Surface& source, const Surface& target) {
   return static_cast<float>(source.leaf);
 }
 
-}  // namespace
-
-SurfaceFit::Side SurfaceFit::make_side(const SharedSurface& surface, const Kernels& kernels) {
-  const Cloud& points = surface->points;
-  if (points.size() == 0 || surface->normals.size() != points.size())
+std::unique_ptr<Neighbors> near(const Surface& surface, const Kernels& kernels) {
+  const Cloud& points = surface.points;
+  if (points.size() == 0 || surface.normals.size() != points.size())
     throw std::invalid_argument("surface: expected points, and a normal for each");
-  const auto leaf = static_cast<float>(surface->leaf);
-  return {surface, make_candidate_grid(points, kReach * leaf, kCell * leaf, kernels)};
+  const auto leaf = static_cast<float>(surface.leaf);
+  return make_candidate_grid(points, kReach * leaf, kCell * leaf, kernels);
 }
+
+}  // namespace
 
 SurfaceFit::SurfaceFit(const SharedSurface& source, const SharedSurface& target,
                        const Kernels& kernels)
     : kernels_(kernels),
       leaf_(common_leaf(*source, *target)),
-      side_{make_side(source, kernels), make_side(target, kernels)} {}
+      neighbors_{near(*source, kernels), near(*target, kernels)} {
+  subsets_.push_back(
+      {1,
+       {weighted(source, distinctiveness(*source)), weighted(target, distinctiveness(*target))}});
+}
+
+SurfaceFit::Weighted SurfaceFit::weighted(const SharedSurface& surface,
+                                          std::vector<float> weights) {
+  double sum = 0;
+  for (const float w : weights) sum += static_cast<double>(w);
+  if (sum > 0)
+    for (float& w : weights) w /= static_cast<float>(sum);
+  return {surface, std::move(weights)};
+}
 
 void SurfaceFit::add_subset(std::size_t step) {
   if (step == 0) throw std::invalid_argument("step: expected at least 1");
   for (const Subset& subset : subsets_)
     if (subset.step == step) return;
-  subsets_.push_back(
-      {step, {every_nth(*side_[0].surface, step), every_nth(*side_[1].surface, step)}});
+  const auto some = [step](const Weighted& all) {
+    std::vector<float> weights;
+    for (std::size_t i = 0; i < all.weights.size(); i += step) weights.push_back(all.weights[i]);
+    return weighted(every_nth(*all.surface, step), std::move(weights));
+  };
+  const Subset& all = subset(1);
+  subsets_.push_back({step, {some(all.side[0]), some(all.side[1])}});
 }
 
-SurfaceFit::Sums SurfaceFit::sums(const Surface& from, const Rigid& pose, const Side& to,
+SurfaceFit::Sums SurfaceFit::sums(const Weighted& from, const Rigid& pose, int to,
                                   Scratch& s) const {
-  const std::size_t n = from.points.size();
+  const Surface& surface = *from.surface;
+  const std::size_t n = surface.points.size();
   if (s.x.size() < n) {
     for (auto* v : {&s.x, &s.y, &s.z, &s.nx, &s.ny, &s.nz, &s.squared}) v->resize(n);
     s.index.resize(n);
   }
+  std::vector<std::uint8_t>& inliers = s.inlier[1 - to];
+  inliers.assign(n, 0);
   const Rigid rotation = {pose.R, Eigen::Vector3d::Zero()};
-  transform(kernels_, from.points, pose, s.x.data(), s.y.data(), s.z.data());
-  transform(kernels_, from.normals, rotation, s.nx.data(), s.ny.data(), s.nz.data());
-  to.neighbors->nearest({s.x.data(), s.y.data(), s.z.data(), n}, s.index.data(), s.squared.data());
+  transform(kernels_, surface.points, pose, s.x.data(), s.y.data(), s.z.data());
+  transform(kernels_, surface.normals, rotation, s.nx.data(), s.ny.data(), s.nz.data());
+  neighbors_[to]->nearest({s.x.data(), s.y.data(), s.z.data(), n}, s.index.data(),
+                          s.squared.data());
 
-  const SurfacePoint* const neighbors = to.surface.interleaved().data();
+  const SurfacePoint* const neighbors = subset(1).side[to].surface.interleaved().data();
   const float unit = 1.0f / leaf_;
   Sums sum;
   for (std::size_t i = 0; i < n; ++i) {
@@ -68,12 +92,14 @@ SurfaceFit::Sums SurfaceFit::sums(const Surface& from, const Rigid& pose, const 
         unit;
     const float dot = (s.nx[i] * q.n[0] + s.ny[i] * q.n[1]) + s.nz[i] * q.n[2];
     // Without a normal both are NaN, and no inlier. No branches: which way they go is a toss-up.
-    const bool aligned = std::abs(dot) > kMinimumCosine, near = std::abs(e) < kTolerance;
-    const bool inlier = aligned & near;
+    const bool aligned = std::abs(dot) > kMinimumCosine, close = std::abs(e) < kTolerance;
+    const bool inlier = aligned & close;
     const float off = e * (1.0f / kTolerance), w = 1.0f - off * off;
-    const float weight = inlier ? w * w : 0.0f;
+    const float weight = inlier ? from.weights[i] * (w * w) : 0.0f;
+    inliers[i] = inlier;
     sum.weight += static_cast<double>(weight);
     sum.same_side += static_cast<double>(dot > 0 ? weight : 0.0f);
+    sum.near += static_cast<double>(from.weights[i]);
     sum.sign += static_cast<double>(inlier ? dot : 0.0f);
     sum.squared += static_cast<double>(inlier ? e * e : 0.0f);
     sum.inliers += static_cast<double>(inlier ? 1.0f : 0.0f);
@@ -81,17 +107,16 @@ SurfaceFit::Sums SurfaceFit::sums(const Surface& from, const Rigid& pose, const 
   return sum;
 }
 
-SurfaceFitValue SurfaceFit::value(const Surface& source, const Surface& target, const Rigid& pose,
-                                  Scratch& scratch) const {
-  const Sums a = sums(source, pose, side_[1], scratch);
-  const Sums b = sums(target, pose.inverse(), side_[0], scratch);
-  const auto n = static_cast<double>(source.points.size()),
-             m = static_cast<double>(target.points.size());
+SurfaceFitValue SurfaceFit::evaluate(const Rigid& pose, std::size_t step, Scratch& scratch) const {
+  const auto& [source, target] = subset(step).side;
+  const Sums a = sums(source, pose, 1, scratch);
+  const Sums b = sums(target, pose.inverse(), 0, scratch);
   SurfaceFitValue out;
-  out.score = (a.weight / n + b.weight / m) / 2;
-  out.same_side = (a.same_side / n + b.same_side / m) / 2;
-  out.inliers_source = a.inliers / n;
-  out.inliers_target = b.inliers / m;
+  out.score = (a.weight + b.weight) / 2;
+  out.same_side = (a.same_side + b.same_side) / 2;
+  out.near = (a.near + b.near) / 2;
+  out.inliers_source = a.inliers / static_cast<double>(source.weights.size());
+  out.inliers_target = b.inliers / static_cast<double>(target.weights.size());
   const double inliers = a.inliers + b.inliers;
   if (inliers > 0) {
     out.sign = (a.sign + b.sign) / inliers;
@@ -100,18 +125,8 @@ SurfaceFitValue SurfaceFit::value(const Surface& source, const Surface& target, 
   return out;
 }
 
-SurfaceFitValue SurfaceFit::evaluate(const Rigid& pose, Scratch& scratch) const {
-  return value(*side_[0].surface, *side_[1].surface, pose, scratch);
-}
-
-SurfaceFitValue SurfaceFit::evaluate(const Rigid& pose, std::size_t step, Scratch& scratch) const {
-  if (step == 1) return evaluate(pose, scratch);
-  const Subset& some = subset(step);
-  return value(some.side[0], some.side[1], pose, scratch);
-}
-
 const Cloud& SurfaceFit::points(int side, std::size_t step) const {
-  return step == 1 ? side_[side].surface->points : subset(step).side[side].points;
+  return subset(step).side[side].surface->points;
 }
 
 const SurfaceFit::Subset& SurfaceFit::subset(std::size_t step) const {

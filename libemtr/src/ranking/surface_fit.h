@@ -16,9 +16,12 @@ namespace emtr {
 /// and it is within 0.3 leaves of q's tangent plane.
 struct SurfaceFitValue {
   /// The surface-fit score: the mean of (1 - (e / 0.3 leaf)^2)^2 over all points (0 for those that
-  /// are no inliers), e the distance from the tangent plane; each cloud against the other, then the
-  /// mean of both. 0 to 1.
+  /// are no inliers), weighted by their distinctiveness(), e the distance from the tangent plane;
+  /// each cloud against the other, then the mean of both. 0 to 1.
   double score = 0;
+  /// The weighted share of the points whose nearest neighbor is near enough, on its plane or not:
+  /// no less than the score.
+  double near = 0;
   /// The part of the score due to inliers whose normals point the same way (a positive dot
   /// product).
   double same_side = 0;
@@ -38,13 +41,16 @@ class SurfaceFit {
   struct Scratch {
     std::vector<float> x, y, z, nx, ny, nz, squared;
     std::vector<std::int32_t> index;
+    std::vector<std::uint8_t> inlier[2];  ///< of the last pose: the source's points, the target's
   };
 
   /// The kernels must outlive this. Throws std::invalid_argument when the leaves are not the same
   /// positive number, or a surface lacks points or a normal for each.
   SurfaceFit(const SharedSurface& source, const SharedSurface& target, const Kernels& kernels);
 
-  SurfaceFitValue evaluate(const Rigid& pose, Scratch& scratch) const;
+  SurfaceFitValue evaluate(const Rigid& pose, Scratch& scratch) const {
+    return evaluate(pose, 1, scratch);
+  }
 
   /// Evaluates every `step`-th point only, for a first pass over many poses. Throws
   /// std::invalid_argument when add_subset() was not called for a step above 1.
@@ -56,28 +62,28 @@ class SurfaceFit {
   const Cloud& points(int side, std::size_t step) const;
 
  private:
-  struct Side {
+  /// Points with their weights, of which the sum is 1.
+  struct Weighted {
     SharedSurface surface;
-    std::unique_ptr<Neighbors> neighbors;
+    std::vector<float> weights;
   };
   struct Sums {
-    double weight = 0, same_side = 0, sign = 0, squared = 0, inliers = 0;
+    double weight = 0, same_side = 0, near = 0, sign = 0, squared = 0, inliers = 0;
   };
+  /// Every step-th point of the source and of the target.
   struct Subset {
     std::size_t step;
-    Surface side[2];
+    Weighted side[2];
   };
   const Subset& subset(std::size_t step) const;
 
-  static Side make_side(const SharedSurface& surface, const Kernels& kernels);
-  Sums sums(const Surface& from, const Rigid& pose, const Side& to, Scratch& scratch) const;
-  SurfaceFitValue value(const Surface& source, const Surface& target, const Rigid& pose,
-                        Scratch& scratch) const;
+  static Weighted weighted(const SharedSurface& surface, std::vector<float> weights);
+  Sums sums(const Weighted& from, const Rigid& pose, int to, Scratch& scratch) const;
 
   const Kernels& kernels_;
   const float leaf_;
-  const Side side_[2];  // source, target
-  std::vector<Subset> subsets_;
+  const std::unique_ptr<Neighbors> neighbors_[2];  // of the source, of the target
+  std::vector<Subset> subsets_;                    // all points first
 };
 
 }  // namespace emtr

@@ -45,7 +45,11 @@ Rigid weighted_pose(const MatchPoints& matches, const Rigid& pose, double thresh
 
 /// Lowers the convexity until the weights are 0 or 1, and goes on until the pose stays.
 Rigid anneal(const MatchPoints& matches, Rigid pose, double threshold) {
-  for (double mu = 0.5; mu < 1e3; mu *= kStep) pose = weighted_pose(matches, pose, threshold, mu);
+  double mu = 0.5;
+  while (mu < 1e3) {
+    pose = weighted_pose(matches, pose, threshold, mu);
+    mu *= kStep;
+  }
   for (int k = 0; k < kLast; ++k) {
     const Rigid next = weighted_pose(matches, pose, threshold, 1e6);
     const bool stays = next.R == pose.R && next.t == pose.t;

@@ -38,6 +38,11 @@ const std::vector<Setting>& setting_table() {
               "points of the sparse source cloud", ""),
       SETTING(minimum_leaf_spacing, Real, "point spacings", 0, 100, 1.5, "sparse to dense",
               "least dense leaf", ""),
+      SETTING(
+          maximum_leaf_growth, Real, "", 1, 100, 4, "sparse to dense",
+          "how many times the dense leaf may grow where a cloud lies along curves, as the rings "
+          "of a spinning LiDAR do, until it lies like a surface; 1: not at all",
+          ""),
       SETTING(normal_radius, Real, "dense leaves", 1, 50, 2, "features and matches",
               "radius of the normals' neighborhoods", ""),
       SETTING(feature_radius, Real, "dense leaves", 1, 50, 5, "features and matches",
@@ -184,6 +189,7 @@ const std::vector<Preset>& preset_table() {
       // Its refine_leaf is for the overlap and the rmse, which are taken on the fine clouds too.
       {"paper",
        {{"dense_points", 4000},
+        {"maximum_leaf_growth", 1},
         {"features", EMTR_FEATURES_PCL},
         {"max_tims", 100000},
         {"seeds", 0},

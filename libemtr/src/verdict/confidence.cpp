@@ -12,24 +12,31 @@ constexpr std::size_t kMaximumAlternatives = 10;
 constexpr std::size_t kFewMatches = 10;
 // Scores below the first are reached by poses that mean nothing; another pose above it with this
 // share of the best score is another answer, a rival.
-constexpr double kMeaningfulScore = 0.15, kRivalShare = 0.8;
+constexpr double kMeaningfulScore = 0.03, kRivalShare = 0.8;
+// Scans from one place lie on each other by their pattern of points alone.
+constexpr double kRivalShareFromOnePlace = 0.3;
 constexpr double kRivalFactor = 0.4;
-constexpr double kEvidence = 60;  // points that lie on the other cloud; fewer fit on any plane
+// How much better a changed source must fit: a scene that is its own mirror image fits as well.
+constexpr double kBetterShare = 1.15, kBetterBy = 0.02;
+constexpr double kFewPoints = 60;  // that lie on the other cloud; fewer fit on any plane
 
-// A logistic model of "within 5 degrees and 0.06 radii", fitted to registrations of real pairs, to
-// what remained when their right candidates were taken away, and to scans that do not belong
-// together. The score holds the violation too, but by as much as ranks candidates best: a right
-// pose has next to none, so that it weighs more against the best of them than among them.
-constexpr double kBias = 13, kScoreWeight = 3.2, kGapWeight = 1.4, kViolationWeight = -5;
+// A logistic model of "within 5 degrees and 0.06 radii", by tools/bench/fit_confidence: fitted to
+// registrations of real pairs, to what remained when their right candidates were taken away, and to
+// scans that do not belong together.
+constexpr double kBias = 0.15, kGapWeight = 1.78, kViolationWeight = -5.8, kEvidenceWeight = 1.2;
 // Right poses of the noisiest scans lie up to here; wrong ones that score well are beyond it as
 // often as not, and then by 0.1 to 0.5.
 constexpr double kFlushMismatch = 0.7, kMismatchWeight = 20;
+// Outlines of unrelated floor plans, all straight walls at right angles, reach scores of 0.3; those
+// that overlap by half and more have 0.5 to 0.6.
+constexpr double kOutlineBias = -1, kOutlineScoreWeight = 8;
 constexpr double kMinimum = 1e-3;  // of a score, fit or gap, for logarithm and quotient
 
-double log_odds(const Candidate& best, double score_gap) {
+double log_odds(const Candidate& best, double score_gap, double evidence) {
   const auto logarithm = [](double value) { return std::log(std::max(value, kMinimum)); };
-  return kBias + kScoreWeight * logarithm(best.score) + kGapWeight * logarithm(score_gap) +
-         kViolationWeight * std::sqrt(best.violation / std::max(best.fit.score, kMinimum));
+  return kBias + kGapWeight * logarithm(score_gap) +
+         kViolationWeight * std::sqrt(best.violation / std::max(best.fit.score, kMinimum)) +
+         kEvidenceWeight * std::log(std::max(evidence, 1.0));
 }
 
 /// Rounds to digits that every C library's logarithm and exponential agree on; never certain.
@@ -39,7 +46,8 @@ double rounded(double probability) {
 
 bool has_rival(const Candidate& best, const std::vector<Candidate>& alternatives) {
   if (alternatives.empty()) return false;
-  return alternatives.front().score > std::max(kMeaningfulScore, kRivalShare * best.score);
+  const double share = best.shares_pattern ? kRivalShareFromOnePlace : kRivalShare;
+  return alternatives.front().score > std::max(kMeaningfulScore, share * best.score);
 }
 
 }  // namespace
@@ -53,14 +61,23 @@ Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t
   const double second =
       out.alternatives.empty() ? 0 : std::max(0.0, out.alternatives.front().score);
   out.score_gap = best.score - second;
-  double probability = 1 / (1 + std::exp(-log_odds(best, out.score_gap)));
+  out.evidence = std::min(best.fit.inliers_source * static_cast<double>(source),
+                          best.fit.inliers_target * static_cast<double>(target));
+  double probability = 1 / (1 + std::exp(-log_odds(best, out.score_gap, out.evidence)));
   // What the model has not seen: a second answer as good, and next to no points to judge by.
   if (has_rival(best, out.alternatives)) probability *= kRivalFactor;
-  const double evidence = std::min(best.fit.inliers_source * static_cast<double>(source),
-                                   best.fit.inliers_target * static_cast<double>(target));
-  if (evidence < kEvidence) probability *= kRivalFactor * evidence / kEvidence;
+  if (out.evidence < kFewPoints) probability *= kRivalFactor * out.evidence / kFewPoints;
   out.probability = rounded(probability);
   return out;
+}
+
+void weigh_changed_source(const Candidate& best, double mirrored, const Rescaled& rescaled,
+                          Confidence& confidence) {
+  const auto better = [&](double score) { return score > kBetterShare * best.score + kBetterBy; };
+  confidence.mirrored = better(mirrored);
+  if (rescaled.factor != 1 && better(rescaled.score)) confidence.scale_factor = rescaled.factor;
+  if (confidence.mirrored || confidence.scale_factor != 1)
+    confidence.probability = rounded(kRivalFactor * confidence.probability);
 }
 
 double lower_confidence(double probability, double surface_mismatch) {
@@ -70,10 +87,19 @@ double lower_confidence(double probability, double surface_mismatch) {
   return rounded(odds / (1 + odds));
 }
 
+double lower_outline_confidence(double probability, double score) {
+  const double odds =
+      probability / (1 - probability) *
+      std::exp(kOutlineBias + kOutlineScoreWeight * std::log(std::max(score, kMinimum)));
+  return rounded(odds / (1 + odds));
+}
+
 emtr_reason reason(const Candidate& best, const Confidence& confidence, bool unconstrained,
                    std::size_t correspondences, const Settings& settings) {
   if (confidence.probability >= settings.minimum_confidence)
     return unconstrained ? EMTR_REASON_DEGENERATE : EMTR_REASON_REGISTERED;
+  if (confidence.mirrored) return EMTR_REASON_MIRRORED;
+  if (confidence.scale_factor != 1) return EMTR_REASON_SCALE;
   if (has_rival(best, confidence.alternatives)) return EMTR_REASON_AMBIGUOUS;
   return correspondences < kFewMatches ? EMTR_REASON_FEW_MATCHES : EMTR_REASON_LOW_OVERLAP;
 }

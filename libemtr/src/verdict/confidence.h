@@ -1,14 +1,18 @@
 #pragma once
 
 #include "candidates/candidate_set.h"
+#include "candidates/changed_source.h"
 #include "settings/settings.h"
 
 namespace emtr {
 
 /// What may be believed of the best candidate, and what else may be the answer.
 struct Confidence {
-  double probability = 0;  ///< estimated, that it is right; a multiple of 1e-6
-  double score_gap = 0;    ///< its score minus that of the best clearly different candidate
+  double probability = 0;   ///< estimated, that it is right; a multiple of 1e-6
+  double score_gap = 0;     ///< its score minus that of the best clearly different candidate
+  double evidence = 0;      ///< how many points of the poorer cloud lie on the other
+  bool mirrored = false;    ///< the mirror image of the source fits better
+  double scale_factor = 1;  ///< of the source, at which it fits better; 1: none does
   std::vector<Candidate> alternatives;  ///< clearly different from it and from each other
 };
 
@@ -17,9 +21,18 @@ struct Confidence {
 Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t source,
                                std::size_t target);
 
+/// Lowers the probability when the source fits better mirrored or at another scale: then no rigid
+/// motion is right. `mirrored`: its best score.
+void weigh_changed_source(const Candidate& best, double mirrored, const Rescaled& rescaled,
+                          Confidence& confidence);
+
 /// Returns the probability once the refined surfaces have been laid on each other, see
 /// surface_mismatch().
 double lower_confidence(double probability, double surface_mismatch);
+
+/// Returns the probability of a best candidate of two outlines, which fit by chance better than two
+/// surfaces do.
+double lower_outline_confidence(double probability, double score);
 
 /// Tells why the best candidate is taken to be right, or not. `unconstrained`: the surfaces leave
 /// some direction open. `correspondences`: how many matches there were.

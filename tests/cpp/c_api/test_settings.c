@@ -6,8 +6,9 @@
 #include "check.h"
 
 static void texts(void) {
-  static const char* const names[] = {"registered",  "low_overlap", "ambiguous", "few_matches",
-                                      "interrupted", "degenerate",  "time_limit"};
+  static const char* const names[] = {"registered",  "low_overlap", "ambiguous",
+                                      "few_matches", "interrupted", "degenerate",
+                                      "time_limit",  "mirrored",    "scale"};
   static const char* const stages[] = {
       "normalization", "downsampling", "features",        "matching",   "seeds",
       "evolution",     "candidates",   "fallback_search", "refinement", "verdict"};
@@ -18,7 +19,7 @@ static void texts(void) {
   CHECK(strcmp(emtr_version(), version) == 0);
   for (i = EMTR_OK; i <= EMTR_ERROR_INTERRUPTED; ++i)
     CHECK(emtr_status_text((emtr_status)i) && *emtr_status_text((emtr_status)i));
-  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_TIME_LIMIT; ++i) {
+  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_SCALE; ++i) {
     CHECK(strcmp(emtr_reason_name((emtr_reason)i), names[i]) == 0);
     CHECK(emtr_reason_text((emtr_reason)i) && *emtr_reason_text((emtr_reason)i));
   }

@@ -10,6 +10,8 @@ using emtr::Rigid;
 using emtr_test::anywhere;
 using emtr_test::same_bits;
 
+constexpr std::size_t kMostRivals = 24;
+
 class Search : public testing::Test {
  protected:
   Search() {
@@ -22,16 +24,6 @@ class Search : public testing::Test {
 
   CandidateSearch search() const {
     return {scene.normalized, surfaces, scene.settings, emtr::select_kernels(), nullptr};
-  }
-
-  void give_sensors(double sign_of_target = 1) {
-    scene.settings.has_viewpoint_source = scene.settings.has_viewpoint_target = 1;
-    const auto source = scene.sensor_source(), target = scene.sensor_target();
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double center = scene.normalized.normalization.center_target[a];
-      scene.settings.viewpoint_source[a] = source[a];
-      scene.settings.viewpoint_target[a] = center + sign_of_target * (target[a] - center);
-    }
   }
 
   /// A search that was given nothing of use.
@@ -62,13 +54,13 @@ TEST_F(Search, TheShortlistIsOfTheSeedsThatFitBest) {
 TEST_F(Search, AddsAllOfTheFewAndTheBestOfTheMany) {
   CandidateSearch few = search();
   few.add(anywhere(15, 4), {});
-  EXPECT_EQ(few.ranked().size(), 15u);  // more than `candidates`
+  EXPECT_GE(few.ranked().size(), 15u);  // more than `candidates`, and rivals
   CandidateSearch both = search();
   auto many = anywhere(40, 5);
   many.push_back(scene.off({1, 2, 0}, {0, 0, 0.01}));
   both.add(anywhere(15, 4), many);
   EXPECT_GT(both.ranked().size(), 15u);
-  EXPECT_LE(both.ranked().size(), 15u + 6u);
+  EXPECT_LE(both.ranked().size(), 15u + 6u + kMostRivals);
   EXPECT_TRUE(scene.solved(both.ranked().front().pose));
 }
 
@@ -76,60 +68,31 @@ TEST_F(Search, FallbackFindsWhatNoSeedGave) {
   const CandidateSearch found = used_fallback_search();
   EXPECT_TRUE(scene.solved(found.ranked().front().pose));
   EXPECT_GT(found.ranked().front().score, 0.3);
-  EXPECT_LE(found.ranked().size(), 8u + 3u);
+  EXPECT_LE(found.ranked().size(), 8u + 3u + 2 * kMostRivals);
 }
 
-TEST_F(Search, FallbackUsesTheSensorsThatAreGiven) {
-  give_sensors();
+TEST_F(Search, ScoresAreThoseOfTheSurfaces) {
   const CandidateSearch found = used_fallback_search();
-  const emtr::Candidate& best = found.ranked().front();
-  EXPECT_TRUE(scene.solved(best.pose));
-  EXPECT_EQ(best.score, best.fit.same_side - 2 * best.violation);
-
-  // Seen from where they are in the normalized frame.
-  const auto at = [&](const emtr::Surface& surface, const double* user, const double* center) {
-    emtr::Viewpoint v;
-    for (int a = 0; a < 3; ++a)
-      v.at[a] = (user[a] - center[a]) / scene.normalized.normalization.scale;
-    return emtr::given_viewpoint(surface, v, emtr::select_kernels());
-  };
-  const emtr::Normalization& normalization = scene.normalized.normalization;
-  const emtr::SurfacePair seen(
-      scene.source, scene.target,
-      at(scene.source, scene.settings.viewpoint_source, normalization.center_source),
-      at(scene.target, scene.settings.viewpoint_target, normalization.center_target),
-      emtr::select_kernels());
   emtr::Ranking::Scratch scratch;
   for (const emtr::Candidate& c : found.ranked()) {
-    EXPECT_EQ(c.score, seen.ranking().evaluate(c.pose, scratch).score);
-    EXPECT_EQ(c.violation, seen.ranking().evaluate(c.pose, scratch).violation);
+    EXPECT_EQ(c.score, surfaces.ranking().evaluate(c.pose, scratch).score);
+    EXPECT_EQ(c.violation, surfaces.ranking().evaluate(c.pose, scratch).violation);
   }
-  EXPECT_GT(best.score, 0.3);
 }
 
-TEST_F(Search, AWrongSensorCostsTheTruthItsScore) {
-  const double unknown = used_fallback_search().ranked().front().score;
-  give_sensors(-1);  // the target seen from within
-  CandidateSearch wrong = search();
-  wrong.add({scene.truth}, {});
-  EXPECT_TRUE(scene.solved(wrong.ranked().front().pose));
-  wrong.run_fallback_search();
-  for (const emtr::Candidate& c : wrong.ranked()) {
-    if (scene.solved(c.pose)) {
-      EXPECT_LT(c.score, unknown - 0.2);
-    }
-  }
+TEST_F(Search, RivalsJoinTheOthers) {
+  CandidateSearch found = search();
+  found.add({scene.truth}, {});
+  EXPECT_TRUE(scene.solved(found.ranked().front().pose));
+  EXPECT_GT(found.ranked().size(), 6u);
+  EXPECT_FALSE(found.used_fallback_search());
 }
 
 TEST_F(Search, WithoutFreeSpaceNothingIsViolated) {
   scene.settings.free_space = 0;
-  give_sensors(-1);  // and sensors do not matter
   const CandidateSearch found = used_fallback_search();
   EXPECT_TRUE(scene.solved(found.ranked().front().pose));
-  for (const emtr::Candidate& c : found.ranked()) {
-    EXPECT_EQ(c.violation, 0);
-    EXPECT_EQ(c.score, c.fit.score);
-  }
+  for (const emtr::Candidate& c : found.ranked()) EXPECT_EQ(c.violation, 0);
 }
 
 TEST_F(Search, FallbackKeepsTheCandidatesOfBefore) {

@@ -25,8 +25,8 @@ class CandidateSet : public testing::Test {
   }
 
   static double quick(const Rigid& pose) {
-    emtr::SurfaceFit::Scratch scratch;
-    return surfaces().ranking().fit().evaluate(pose, emtr::SurfacePair::kQuickStep, scratch).score;
+    emtr::Ranking::Scratch scratch;
+    return surfaces().ranking().evaluate(pose, scratch, emtr::SurfacePair::kQuickStep).score;
   }
 
   /// Good ones, duplicates of them, and many that are wrong.
@@ -79,10 +79,9 @@ TEST_F(CandidateSet, AShortlistKnowsFreeSpace) {
   Eigen::Vector3d toward(sensor.at[0], sensor.at[1], sensor.at[2]);
   toward *= 0.4 / std::sqrt(length);
   const std::vector<Rigid> both{scene().off({0, 0, 0}, toward), scene().off({0, 0, 0}, -toward)};
-  const emtr::SurfacePair seen(scene().source, scene().target, {}, {{sensor}, 1},
-                               emtr::select_kernels());
+  const emtr::SurfacePair seen(scene().source, scene().target, {}, sensor, emtr::select_kernels());
   emtr::Ranking::Scratch scratch;
-  const auto front = seen.ranking().quick(both[0], emtr::SurfacePair::kQuickStep, scratch);
+  const auto front = seen.ranking().evaluate(both[0], scratch, emtr::SurfacePair::kQuickStep);
   EXPECT_GT(front.violation, 0.1);
   std::vector<Rigid> out;
   ThreadTeam::with(1, [&](ThreadTeam& team) {

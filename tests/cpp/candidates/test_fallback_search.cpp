@@ -6,7 +6,7 @@
 namespace {
 
 using emtr::Rigid;
-using emtr::Viewpoints;
+using emtr::Viewpoint;
 using emtr_test::same_bits;
 
 class FallbackSearch : public testing::Test {
@@ -17,22 +17,22 @@ class FallbackSearch : public testing::Test {
     scene.settings.fallback_seeds = 40;
   }
 
-  Viewpoints source(double sign = 1) const {
+  Viewpoint source(double sign = 1) const {
     return at(scene.sensor_source(), scene.normalized.normalization.center_source, sign);
   }
-  Viewpoints target(double sign = 1) const {
+  Viewpoint target(double sign = 1) const {
     return at(scene.sensor_target(), scene.normalized.normalization.center_target, sign);
   }
 
   /// The same place first, but only held to be likely.
-  static Viewpoints guessed(Viewpoints one) {
-    const emtr::Viewpoint v = one.candidates.front();
-    one.candidates.push_back({{-v.at[0], -v.at[1], -v.at[2]}});
+  static Viewpoint guessed(Viewpoint one) {
+    one.given = false;
+    one.trust = 0.5;
     return one;
   }
 
-  std::vector<Rigid> seeds(const Viewpoints& of_source, const Viewpoints& of_target,
-                           int threads = 1,
+  std::vector<Rigid> seeds(const std::optional<Viewpoint>& of_source,
+                           const std::optional<Viewpoint>& of_target, int threads = 1,
                            const emtr::Kernels& kernels = emtr::select_kernels()) const {
     return emtr::find_fallback_seeds(scene.normalized, of_source, of_target, scene.settings,
                                      kernels, threads);
@@ -48,11 +48,11 @@ class FallbackSearch : public testing::Test {
   emtr_test::Scene scene{38, 5000, 20};
 
  private:
-  Viewpoints at(const emtr_test::Vector& sensor, const double* center, double sign) const {
-    emtr::Viewpoint v;
+  Viewpoint at(const emtr_test::Vector& sensor, const double* center, double sign) const {
+    Viewpoint v;
     for (std::size_t a = 0; a < 3; ++a)
       v.at[a] = sign * (sensor[a] - center[a]) / scene.normalized.normalization.scale;
-    return {{v}, 1};
+    return v;
   }
 };
 

@@ -148,7 +148,7 @@ TEST(UserInput, MatchesGoBeforeFeatures) {
 }
 
 TEST(UserInput, AFallbackSearchLooksWithOurOwnFeatures) {
-  // Matches that are all wrong, and hardly any swarm: what finds the pose is the second search.
+  // Matches that are all wrong, and hardly any swarm.
   const KnownPair pair(5000);
   auto rows = pair.correspondences(200, 1);
   for (std::size_t i = 1; i < rows.size(); i += 2)
@@ -158,6 +158,7 @@ TEST(UserInput, AFallbackSearchLooksWithOurOwnFeatures) {
   settings.iterations = 1;
   settings.population = 2;
   settings.seeds = 0;
+  settings.fallback_search = EMTR_ALWAYS;
   settings.correspondences = rows.data();
   settings.correspondence_count = rows.size() / 2;
   const auto result = solve(pair.source_cloud(), pair.target_cloud(), settings);

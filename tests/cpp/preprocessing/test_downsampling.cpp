@@ -49,6 +49,15 @@ TEST(DownsampledClouds, KeepTheLeafAboveTheSpacingOfSmallClouds) {
   EXPECT_NEAR(sparse_points(d) / dense_points(d), 0.15, 0.01);
 }
 
+TEST(DownsampledClouds, KeepTheLeafAboveTheSpacingOfTheSparserCloud) {
+  for (const std::size_t points : {12000u, 40000u}) {
+    const emtr_test::Pair sparse(2, 1024), dense(2, points);
+    const auto normalized = emtr::normalize(sparse.source(), dense.target(), 1);
+    const auto d = emtr::downsample(normalized, emtr::preset("paper"));
+    EXPECT_GE(d.leaf_dense, 1.49 * emtr::mean_resolution(normalized.source)) << points;
+  }
+}
+
 TEST(DownsampledClouds, NameACloudThatVanishesBesideTheOther) {
   const emtr_test::Pair small(3, 2000, 1e-4), large(3, 2000, 1);
   try {

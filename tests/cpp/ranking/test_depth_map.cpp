@@ -42,12 +42,25 @@ TEST(DepthMap, InFrontOfAWallAndNotBehindNorBesideIt) {
   const DepthMap map(wall(0.04), kOrigin, 0.04, emtr::select_kernels());
   EXPECT_EQ(in_front(map, {0.1, -0.2, 1}), 1u);
   EXPECT_EQ(in_front(map, {0.1, -0.2, 1.85}), 1u);
-  EXPECT_EQ(in_front(map, {0.1, -0.2, 1.95}), 0u);  // not clearly
+  EXPECT_EQ(in_front(map, {0.1, -0.2, 1.95}), 1u);
+  EXPECT_EQ(in_front(map, {0.1, -0.2, 1.98}), 0u);  // not clearly
   EXPECT_EQ(in_front(map, {0.1, -0.2, 2}), 0u);
   EXPECT_EQ(in_front(map, {0.1, -0.2, 3}), 0u);
   EXPECT_EQ(in_front(map, {1.5, 0, 1}), 0u);    // out of view
   EXPECT_EQ(in_front(map, {0.1, 0, -1}), 0u);   // behind the sensor
   EXPECT_EQ(in_front(map, {0, 0, 0.001}), 1u);  // the sensor itself stood in empty space
+}
+
+TEST(DepthMap, LeavesOutMarkedPoints) {
+  const DepthMap map(wall(0.04), kOrigin, 0.04, emtr::select_kernels());
+  Cloud two;
+  emtr_test::push(two, 0.1f, -0.2f, 1);
+  emtr_test::push(two, 0.2f, 0.1f, 1);
+  DepthMap::Scratch scratch;
+  const std::uint8_t one_marked[] = {0, 1}, both_marked[] = {1, 1};
+  EXPECT_EQ(map.in_front(two, Rigid{}, scratch), 2u);
+  EXPECT_EQ(map.in_front(two, Rigid{}, scratch, one_marked), 1u);
+  EXPECT_EQ(map.in_front(two, Rigid{}, scratch, both_marked), 0u);
 }
 
 TEST(DepthMap, KnowsNothingOfAHole) {

@@ -9,7 +9,8 @@ namespace {
 using emtr::FreeSpace;
 using emtr::Rigid;
 using emtr::Surface;
-using emtr::Viewpoints;
+using emtr::Viewpoint;
+using MaybeViewpoint = std::optional<Viewpoint>;
 
 const emtr::Kernels& kernels() { return emtr::select_kernels(); }
 
@@ -28,28 +29,40 @@ Rigid translation(double z) {
   return out;
 }
 
-double violation(const Viewpoints& source, const Viewpoints& target, const Rigid& pose,
-                 double sign) {
-  const Surface a = wall(), b = wall();
-  FreeSpace::Scratch scratch;
-  return FreeSpace(a, b, source, target, kernels()).violation(pose, sign, scratch);
+std::vector<std::uint8_t> none(const emtr::Cloud& cloud) {
+  return std::vector<std::uint8_t>(cloud.size(), 0);
 }
 
-const Viewpoints kNone, kAbove{{{{0, 0, 4}}}, 1}, kBelow{{{{0, 0, -4}}}, 1},
-    kEither{{{{0, 0, 4}}, {{0, 0, -4}}}, 1};
+double violation(const MaybeViewpoint& source, const MaybeViewpoint& target, const Rigid& pose) {
+  const Surface a = wall(), b = wall();
+  FreeSpace::Scratch scratch;
+  return FreeSpace(a, b, source, target, kernels())
+      .violation({a.points, none(a.points)}, {b.points, none(b.points)}, pose, scratch);
+}
+
+const MaybeViewpoint kNone, kAbove = Viewpoint{{0, 0, 4}}, kBelow = Viewpoint{{0, 0, -4}};
 
 TEST(FreeSpace, TheMeanOfBothShares) {
-  EXPECT_EQ(violation(kAbove, kAbove, translation(0), 1), 0);
+  EXPECT_EQ(violation(kAbove, kAbove, translation(0)), 0);
   // The source's points in front of the target: nearly all. The other way round they are behind.
-  const double one = violation(kNone, kAbove, translation(0.5), 1);
+  const double one = violation(kNone, kAbove, translation(0.5));
   EXPECT_GT(one, 0.35);  // being nearer, it reaches out of view
   EXPECT_LE(one, 0.5);
-  EXPECT_EQ(violation(kAbove, kNone, translation(0.5), 1), 0);
-  EXPECT_EQ(violation(kAbove, kAbove, translation(0.5), 1), one);
-  EXPECT_NEAR(violation(kAbove, kAbove, translation(-0.5), 1), one, 0.05);
+  EXPECT_EQ(violation(kAbove, kNone, translation(0.5)), 0);
+  EXPECT_EQ(violation(kAbove, kAbove, translation(0.5)), one);
+  EXPECT_NEAR(violation(kAbove, kAbove, translation(-0.5)), one, 0.05);
   // Sensors on opposite sides: both see the other in front, or neither does.
-  EXPECT_GT(violation(kBelow, kAbove, translation(0.5), 1), 0.7);
-  EXPECT_EQ(violation(kBelow, kAbove, translation(-0.5), 1), 0);
+  EXPECT_GT(violation(kBelow, kAbove, translation(0.5)), 0.7);
+  EXPECT_EQ(violation(kBelow, kAbove, translation(-0.5)), 0);
+}
+
+TEST(FreeSpace, CountsByTheTrustInTheViewpoint) {
+  const double all = violation(kNone, kAbove, translation(0.5));
+  Viewpoint half = *kAbove;
+  half.trust = 0.5;
+  EXPECT_EQ(violation(kNone, half, translation(0.5)), all / 2);
+  half.trust = 0;
+  EXPECT_EQ(violation(kNone, half, translation(0.5)), 0);
 }
 
 TEST(FreeSpace, OfAPartOfThePointsTheShareIsThatOfThePart) {
@@ -59,27 +72,14 @@ TEST(FreeSpace, OfAPartOfThePointsTheShareIsThatOfThePart) {
   some.y = some.z = {0, 0};
   FreeSpace::Scratch scratch;
   const FreeSpace both(a, b, kAbove, kAbove, kernels());
-  EXPECT_EQ(both.violation(some, b.points, translation(0.5), 1, scratch), 0.5);
-  EXPECT_EQ(both.violation(a.points, b.points, translation(0.5), 1, scratch),
-            both.violation(translation(0.5), 1, scratch));
+  const std::vector<std::uint8_t> no = none(some), first = {1, 0}, of_target = none(b.points);
+  EXPECT_EQ(both.violation({some, no}, {b.points, of_target}, translation(0.5), scratch), 0.5);
+  // What lies on the other surface contradicts nothing.
+  EXPECT_EQ(both.violation({some, first}, {b.points, of_target}, translation(0.5), scratch), 0.25);
 }
 
 TEST(FreeSpace, NoViewpointsNoViolation) {
-  EXPECT_EQ(violation(kNone, kNone, translation(0.5), 1), 0);
-  EXPECT_EQ(violation(kNone, kNone, translation(0.5), -1), 0);
-}
-
-TEST(FreeSpace, OfEstimatesTheLeastAdmissibleOneCounts) {
-  // One estimate alone says nothing of the side.
-  EXPECT_EQ(violation(kNone, kEither, translation(0.5), 1), 0);
-  EXPECT_EQ(violation(kNone, kEither, translation(-0.5), 1), 0);
-  // Two: the same side (a half of all points is in front), or opposite ones (all, or nothing).
-  EXPECT_GT(violation(kEither, kEither, translation(0.5), 1), 0.35);
-  EXPECT_EQ(violation(kEither, kEither, translation(0.5), -1), 0);
-  // Given and estimated.
-  EXPECT_GT(violation(kAbove, kEither, translation(0.5), 1), 0.35);
-  EXPECT_EQ(violation(kAbove, kEither, translation(0.5), -1), 0);
-  EXPECT_GT(violation(kAbove, kEither, translation(-0.5), -1), 0.7);
+  EXPECT_EQ(violation(kNone, kNone, translation(0.5)), 0);
 }
 
 TEST(FreeSpace, DoesNotDependOnACommonMotion) {
@@ -87,16 +87,18 @@ TEST(FreeSpace, DoesNotDependOnACommonMotion) {
   const Rigid M = emtr::decode(particle);
   const Surface a = emtr_test::lumpy_ball(4000, 1, 0.04, 0, 0),
                 b = emtr_test::lumpy_ball(4000, 2, 0.04, 0, 0);
-  const auto at = [&](const emtr_test::Vector& v) { return Viewpoints{{{{v[0], v[1], v[2]}}}, 1}; };
+  const auto at = [&](const emtr_test::Vector& v) { return Viewpoint{{v[0], v[1], v[2]}}; };
   FreeSpace::Scratch scratch;
-  const double here = FreeSpace(a, b, at({0, 0, 3}), at({1, 0, 3}), kernels())
-                          .violation(translation(0.3), 1, scratch);
-  const Surface c = emtr_test::moved(a, M), d = emtr_test::moved(b, M);
+  const auto found = [&](const Surface& p, const Surface& q, const Viewpoint& of_p,
+                         const Viewpoint& of_q, const Rigid& pose) {
+    return FreeSpace(p, q, of_p, of_q, kernels())
+        .violation({p.points, none(p.points)}, {q.points, none(q.points)}, pose, scratch);
+  };
+  const double here = found(a, b, at({0, 0, 3}), at({1, 0, 3}), translation(0.3));
   const double there =
-      FreeSpace(c, d, at(emtr_test::carry(M, {0, 0, 3})), at(emtr_test::carry(M, {1, 0, 3})),
-                kernels())
-          .violation(emtr_test::compose(M, emtr_test::compose(translation(0.3), M.inverse())), 1,
-                     scratch);
+      found(emtr_test::moved(a, M), emtr_test::moved(b, M), at(emtr_test::carry(M, {0, 0, 3})),
+            at(emtr_test::carry(M, {1, 0, 3})),
+            emtr_test::compose(M, emtr_test::compose(translation(0.3), M.inverse())));
   EXPECT_GT(here, 0.1);
   EXPECT_NEAR(here, there, 0.03);  // the bins lie otherwise
 }

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <thread>
 
 #include "geometry/euler.h"
+#include "ranking/distinctiveness.h"
 #include "ranking/surface_fit.h"
 #include "ranking/surfaces.h"
 
@@ -31,6 +33,7 @@ SurfaceFitValue fit(const Surface& source, const Surface& target, const Rigid& T
 }
 
 struct Oracle {
+  double all = 0, near = 0;  // sums of weights
   double weight = 0, same = 0, sign = 0, squared = 0, inliers = 0;
 };
 
@@ -38,7 +41,10 @@ struct Oracle {
 Oracle oracle(const Surface& from, const Surface& to, const Rigid& T, std::size_t step) {
   Oracle sum;
   const double l = to.leaf;
+  const std::vector<float> weights = emtr::distinctiveness(from);
   for (std::size_t i = 0; i < from.points.size(); i += step) {
+    const double telling = weights[i];
+    sum.all += telling;
     const Vector y = carry(T, point(from.points, i)), n = carry(T, point(from.normals, i), true);
     double nearest = HUGE_VAL, e = 0, dot = 0;
     for (std::size_t k = 0; k < to.points.size(); ++k) {
@@ -48,9 +54,10 @@ Oracle oracle(const Surface& from, const Surface& to, const Rigid& T, std::size_
       e = emtr_test::dot(point(to.normals, k), d);
       dot = emtr_test::dot(point(to.normals, k), n);
     }
-    if (std::sqrt(nearest) >= 1.5 * l || !(std::abs(dot) > 0.7) || !(std::abs(e) < 0.3 * l))
-      continue;
-    const double weight = std::pow(1 - std::pow(e / (0.3 * l), 2), 2);
+    if (std::sqrt(nearest) >= 1.5 * l) continue;
+    sum.near += telling;
+    if (!(std::abs(dot) > 0.7) || !(std::abs(e) < 0.3 * l)) continue;
+    const double weight = telling * std::pow(1 - std::pow(e / (0.3 * l), 2), 2);
     sum.weight += weight;
     if (dot > 0) sum.same += weight;
     sum.sign += dot;
@@ -68,8 +75,9 @@ void expect_oracle(const SurfaceFitValue& got, const Surface& source, const Surf
   };
   const double n = count(source), m = count(target), inliers = a.inliers + b.inliers;
   ASSERT_GT(inliers, 20);  // of something
-  EXPECT_NEAR(got.score, (a.weight / n + b.weight / m) / 2, 1e-5);
-  EXPECT_NEAR(got.same_side, (a.same / n + b.same / m) / 2, 1e-5);
+  EXPECT_NEAR(got.score, (a.weight / a.all + b.weight / b.all) / 2, 1e-5);
+  EXPECT_NEAR(got.near, (a.near / a.all + b.near / b.all) / 2, 1e-5);
+  EXPECT_NEAR(got.same_side, (a.same / a.all + b.same / b.all) / 2, 1e-5);
   EXPECT_LT(got.same_side, got.score);
   EXPECT_EQ(got.inliers_source, a.inliers / n);
   EXPECT_EQ(got.inliers_target, b.inliers / m);
@@ -109,7 +117,7 @@ TEST(SurfaceFit, KnownValuesOfAPlaneMovedAlongItsNormal) {
       emtr_test::push(other, {0.1 * i, 0.1 * j, 0}, {0, 0, -1});
     }
   const SurfaceFitValue on = fit(plane, plane, Rigid{});
-  EXPECT_EQ(on.score, 1);
+  EXPECT_NEAR(on.score, 1, 1e-6);
   EXPECT_EQ(on.inliers_source, 1);
   EXPECT_EQ(on.inliers_target, 1);
   EXPECT_EQ(on.sign, 1);
@@ -126,6 +134,38 @@ TEST(SurfaceFit, KnownValuesOfAPlaneMovedAlongItsNormal) {
   EXPECT_NEAR(fit(plane, plane, pose(0, 0, 0, 0.5, 0, 0)).score, 0.6, 1e-6);
   // A wall through the plane: near, but facing another way.
   EXPECT_EQ(fit(plane, plane, pose(0, 1.5707963267948966, 0, 0, 0, 0)).score, 0);
+}
+
+TEST(SurfaceFit, APoleOutweighsTheGround) {
+  // A ground of 31 x 31 points with a thin pole of 20, which stands in the middle or aside.
+  const auto scene = [](double at) {
+    Surface out;
+    out.leaf = 0.05;
+    for (int i = -15; i <= 15; ++i)
+      for (int j = -15; j <= 15; ++j) emtr_test::push(out, {0.05 * i, 0.05 * j, 0}, {0, 0, 1});
+    for (int i = 1; i <= 20; ++i) emtr_test::push(out, {at, 0, 0.05 * i}, {1, 0, 0});
+    return out;
+  };
+  // The ground lies on itself with the pole missed; the pole on itself while half of the ground has
+  // nothing below it.
+  const double ground = fit(scene(0), scene(0.3), Rigid{}).score,
+               pole = fit(scene(0), scene(0.3), pose(0, 0, 0, 0.3, 0, 0)).score;
+  EXPECT_LT(ground, 0.5 * pole);
+}
+
+TEST(SurfaceFit, MarksItsInliers) {
+  const Surface source = lumpy_ball(700, 1, 0.08, 0.02), target = lumpy_ball(900, 2, 0.08, 0.02);
+  SurfaceFit::Scratch scratch;
+  const SurfaceFitValue value = SurfaceFit(source, target, kernels()).evaluate(Rigid{}, scratch);
+  const auto share = [&](int side) {
+    const auto& marks = scratch.inlier[side];
+    return static_cast<double>(std::count(marks.begin(), marks.end(), 1)) /
+           static_cast<double>(marks.size());
+  };
+  EXPECT_EQ(scratch.inlier[0].size(), 700u);
+  EXPECT_EQ(share(0), value.inliers_source);
+  EXPECT_EQ(share(1), value.inliers_target);
+  EXPECT_GT(share(0), 0.1);
 }
 
 TEST(SurfaceFit, DoesNotDependOnACommonMotion) {
@@ -152,7 +192,7 @@ TEST(SurfaceFit, PrefersTheTruth) {
 bool same(const SurfaceFitValue& a, const SurfaceFitValue& b) {
   return a.score == b.score && a.same_side == b.same_side && a.sign == b.sign &&
          a.inliers_source == b.inliers_source && a.inliers_target == b.inliers_target &&
-         a.rms == b.rms;
+         a.rms == b.rms && a.near == b.near;
 }
 
 TEST(SurfaceFit, SameBitsForEveryKernelThreadAndScratch) {

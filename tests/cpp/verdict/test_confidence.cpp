@@ -134,7 +134,7 @@ TEST(Confidence, MismatchedSurfacesLowerItAndFlushOnesDoNot) {
 TEST(Confidence, ConfidenceTellsGoodFromBad) {
   EXPECT_GT(estimate_confidence(ranked({0.7, 0.1})).probability, 0.95);
   EXPECT_LT(estimate_confidence(ranked({0.1, 0.09})).probability, 0.5);
-  EXPECT_LT(estimate_confidence(ranked({0.05, 0.045})).probability, 0.05);
+  EXPECT_LT(estimate_confidence(ranked({0.03, 0.029})).probability, 0.05);
   EXPECT_LT(estimate_confidence(ranked({-2})).probability, 0.05);
 }
 
@@ -144,6 +144,35 @@ TEST(Confidence, OfTwoAnswersThatAreAsGoodNoneIsBelievedByHalf) {
     EXPECT_LT(estimate_confidence(ranked({score, 0.85 * score})).probability, 0.5);
   }
   EXPECT_GT(estimate_confidence(ranked({0.7, 0.5})).probability, 0.5);
+}
+
+TEST(Confidence, ScansFromOnePlaceNeedToBeClearlyTheBest) {
+  std::vector<Candidate> some = ranked({0.6, 0.3});
+  const double elsewhere = estimate_confidence(some).probability;
+  some[0].shares_pattern = true;
+  EXPECT_LT(estimate_confidence(some).probability, 0.5 * elsewhere);
+  some = ranked({0.6, 0.1});
+  const double clear = estimate_confidence(some).probability;
+  some[0].shares_pattern = true;
+  EXPECT_EQ(estimate_confidence(some).probability, clear);
+}
+
+TEST(Confidence, AChangedSourceThatFitsBetterTakesTheConfidence) {
+  const std::vector<Candidate> one = ranked({0.5, 0.05});
+  const auto weighed = [&](double mirrored, const emtr::Rescaled& rescaled) {
+    Confidence out = estimate_confidence(one);
+    emtr::weigh_changed_source(one[0], mirrored, rescaled, out);
+    return out;
+  };
+  const double before = estimate_confidence(one).probability;
+  EXPECT_EQ(weighed(-INFINITY, {}).probability, before);
+  EXPECT_EQ(weighed(0.5, {1.1, 0.5}).probability, before);  // as well, and no better
+  EXPECT_FALSE(weighed(0.5, {}).mirrored);
+  EXPECT_TRUE(weighed(0.7, {}).mirrored);
+  EXPECT_LT(weighed(0.7, {}).probability, 0.5);
+  EXPECT_EQ(weighed(0.1, {1.1, 0.7}).scale_factor, 1.1);
+  EXPECT_LT(weighed(0.1, {1.1, 0.7}).probability, 0.5);
+  EXPECT_EQ(weighed(0.1, {1.1, 0.5}).scale_factor, 1);
 }
 
 TEST(Confidence, AFewPointsAreNoEvidence) {
@@ -184,15 +213,25 @@ TEST_F(Reason, Ambiguous) {
 }
 
 TEST_F(Reason, LowOverlap) {
-  EXPECT_EQ(reason({0.1, 0.099}), EMTR_REASON_LOW_OVERLAP);  // two that mean nothing: no rivals
-  EXPECT_EQ(reason({0.05}), EMTR_REASON_LOW_OVERLAP);
+  EXPECT_EQ(reason({0.02, 0.019}), EMTR_REASON_LOW_OVERLAP);  // two that mean nothing: no rivals
+  EXPECT_EQ(reason({0.01}), EMTR_REASON_LOW_OVERLAP);
   EXPECT_EQ(reason({-0.1, -0.11}), EMTR_REASON_LOW_OVERLAP);
   EXPECT_EQ(reason({0.7, 0.1}, false, 100, 60), EMTR_REASON_LOW_OVERLAP);  // of next to no points
 }
 
 TEST_F(Reason, FewMatches) {
-  EXPECT_EQ(reason({0.1, 0.09}, false, 9), EMTR_REASON_FEW_MATCHES);
-  EXPECT_EQ(reason({0.1, 0.09}, false, 10), EMTR_REASON_LOW_OVERLAP);
+  EXPECT_EQ(reason({0.02, 0.018}, false, 9), EMTR_REASON_FEW_MATCHES);
+  EXPECT_EQ(reason({0.02, 0.018}, false, 10), EMTR_REASON_LOW_OVERLAP);
+}
+
+TEST_F(Reason, MirroredOrAnotherScale) {
+  const auto one = ranked({0.5, 0.05});
+  Confidence confidence = estimate_confidence(one);
+  emtr::weigh_changed_source(one[0], 0.7, {}, confidence);
+  EXPECT_EQ(emtr::reason(one[0], confidence, false, 100, settings), EMTR_REASON_MIRRORED);
+  confidence = estimate_confidence(one);
+  emtr::weigh_changed_source(one[0], 0, {0.9, 0.7}, confidence);
+  EXPECT_EQ(emtr::reason(one[0], confidence, false, 100, settings), EMTR_REASON_SCALE);
 }
 
 TEST_F(Reason, FollowsTheConfidenceAskedFor) {
@@ -201,7 +240,7 @@ TEST_F(Reason, FollowsTheConfidenceAskedFor) {
   EXPECT_EQ(reason({0.4, 0.3}), EMTR_REASON_REGISTERED);
   settings.minimum_confidence = std::nextafter(confidence, 1.0);
   EXPECT_EQ(reason({0.4, 0.3}), EMTR_REASON_LOW_OVERLAP);
-  settings.minimum_confidence = 0.3;  // who asks for less takes one of two that are as good
+  settings.minimum_confidence = 0.01;  // who asks for less takes one of two that are as good
   EXPECT_EQ(reason({0.7, 0.695}), EMTR_REASON_REGISTERED);
 }
 

@@ -12,7 +12,7 @@ from .runner import Array, Options, Outcome, Run, Sensors, moved
 QUALITY = (
     "fitness", "inlier_ratio_source", "inlier_ratio_target", "fitness_gap", "overlap_source",
     "overlap_target", "inlier_rmse", "inlier_rmse_plane",
-    "confidence", "score", "surface_fit", "violation", "score_gap",
+    "confidence", "score", "surface_fit", "surface_near", "violation", "evidence", "score_gap",
 )  # fmt: skip
 COUNTS = (
     "points_source", "points_target", "dropped_source", "dropped_target", "sparse_source",

@@ -29,13 +29,15 @@ std::string stages(const emtr_result& result) {
   return text;
 }
 
-void print_cloud(const char* name, std::size_t points, std::size_t dropped, std::size_t sparse,
-                 std::size_t dense, const double* viewpoint) {
+void print_cloud(const char* name, std::size_t points, std::size_t dropped, std::size_t strays,
+                 std::size_t sparse, std::size_t dense, const double* viewpoint) {
   EMTR_INFO("  %s ", name);
   EMTR_VALUE("%zu", points);
   EMTR_INFO(" finite points, ");
   EMTR_VALUE("%zu", dropped);
-  EMTR_INFO(" dropped (NaN or infinite); ");
+  EMTR_INFO(" dropped (NaN or infinite)");
+  if (strays) EMTR_INFO(", %zu %s left out", strays, strays == 1 ? "stray" : "strays");
+  EMTR_INFO("; ");
   if (sparse) EMTR_INFO("sparse %zu, ", sparse);
   EMTR_INFO("dense %zu", dense);
   if (viewpoint) EMTR_INFO("; sensor at %.7g %.7g %.7g", viewpoint[0], viewpoint[1], viewpoint[2]);
@@ -105,9 +107,9 @@ void print_summary(const emtr_result& r, const emtr_settings& settings) {
   EMTR_INFO(" iterations%s%s]\n", r.used_fallback_search ? ", fallback search" : "",
             r.refined ? ", refined" : "");
   EMTR_INFO("  ms: %s\n", stages(r).c_str());
-  print_cloud("source", r.points_source, r.dropped_source, r.sparse_source, r.dense_source,
-              settings.has_viewpoint_source ? settings.viewpoint_source : nullptr);
-  print_cloud("target", r.points_target, r.dropped_target, 0, r.dense_target,
+  print_cloud("source", r.points_source, r.dropped_source, r.strays_source, r.sparse_source,
+              r.dense_source, settings.has_viewpoint_source ? settings.viewpoint_source : nullptr);
+  print_cloud("target", r.points_target, r.dropped_target, r.strays_target, 0, r.dense_target,
               settings.has_viewpoint_target ? settings.viewpoint_target : nullptr);
   print_search(r);
   print_fitness(r);

@@ -1,16 +1,14 @@
-#include "ranking/viewpoint.h"
+#include "ranking/visible_viewpoint.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "ranking/directions.h"
 #include "ranking/z_buffer.h"
 #include "util/cancellation.h"
 
 namespace emtr {
 namespace {
-
-using Direction = std::array<double, 3>;
 
 constexpr std::size_t kDirections = 100;
 constexpr double kRadii[] = {1.26, 2.34, 4.33, 8};
@@ -29,25 +27,10 @@ double dot(const Direction& a, const Direction& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Spreads directions evenly over the sphere, each one golden angle further: by repeated rotation
-/// and not by sines and cosines, whose last bits differ from machine to machine.
-std::vector<Direction> directions() {
-  constexpr double cosine = -0.7373688780783197, sine = 0.6754902942615238;
-  std::vector<Direction> out(kDirections);
-  double c = 1, s = 0;
-  for (std::size_t i = 0; i < kDirections; ++i) {
-    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(kDirections);
-    const double r = std::sqrt(1 - z * z);
-    out[i] = {r * c, r * s, z};
-    const double next = cosine * c - sine * s;
-    s = sine * c + cosine * s;
-    c = next;
-  }
-  return out;
-}
-
 Viewpoint place(const Direction& centroid, const Direction& direction, double radius) {
   Viewpoint out;
+  out.trust = 0;
+  out.given = false;
   for (std::size_t a = 0; a < 3; ++a) out.at[a] = centroid[a] + radius * direction[a];
   return out;
 }
@@ -69,7 +52,8 @@ std::vector<View> promising(const Surface& surface, const Kernels& kernels) {
   some.leaf = 2 * surface.leaf;
   ZBuffer buffer(some, kNarrow, kernels);
   std::vector<View> views;
-  for (const Direction& direction : directions()) views.push_back(best_along(buffer, direction));
+  for (const Direction& direction : spread_directions(kDirections))
+    views.push_back(best_along(buffer, direction));
   std::stable_sort(views.begin(), views.end(),
                    [](const View& a, const View& b) { return a.share > b.share; });
   views.resize(kPromising);
@@ -93,28 +77,23 @@ Direction middle(const std::vector<View>& views, const View& best) {
 
 }  // namespace
 
-Viewpoints given_viewpoint(const Surface& surface, const Viewpoint& at, const Kernels& kernels) {
-  return {{at}, ZBuffer(surface, kWide, kernels).visible_share(at.at)};
-}
-
-Viewpoints estimate_viewpoints(const Surface& surface, const Kernels& kernels) {
+std::optional<Viewpoint> estimate_visible_viewpoint(const Surface& surface,
+                                                    const Kernels& kernels) {
   ZBuffer narrow(surface, kNarrow, kernels), wide(surface, kWide, kernels);
   const Direction& centroid = narrow.centroid();
   std::vector<View> views = promising(surface, kernels);
-  Viewpoints out;
+  double visible = 0;
   for (View& view : views) {
     check_cancelled();
     const Viewpoint at = place(centroid, view.direction, view.radius);
     view.share = narrow.visible_share(at.at);
-    out.visible = std::max(out.visible, wide.visible_share(at.at));
+    visible = std::max(visible, wide.visible_share(at.at));
   }
-  if (out.visible < kMinimumVisible) return out;
+  if (visible < kMinimumVisible) return std::nullopt;
   const View best = *std::max_element(
       views.begin(), views.end(), [](const View& a, const View& b) { return a.share < b.share; });
   const View found = best_along(narrow, middle(views, best));
-  out.candidates = {place(centroid, found.direction, found.radius),
-                    place(centroid, found.direction, -found.radius)};
-  return out;
+  return place(centroid, found.direction, found.radius);
 }
 
 }  // namespace emtr

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/surface.h"
+
+namespace emtr {
+
+/// Returns a weight for each point of the surface, above 0: small where much of the cloud faces the
+/// same way. Ground, walls and floors lie on each other in false poses too, so they prove little; a
+/// pole, a tree or a corner lies on its like in few. With rho the share of the cloud's normals
+/// within 20 degrees of the point's, whatever their signs, the weight is (rho + 0.02)^-1.5. It is
+/// the same, to a factor, wherever and however the cloud lies. 0 where there is no normal.
+std::vector<float> distinctiveness(const Surface& surface);
+
+}  // namespace emtr
