@@ -23,8 +23,8 @@ void preprocess(const emtr_cloud& cloud, const std::string& name) {
       preprocessed, emtr_preprocessed_free);
   emtr_preprocessed_info info;
   require(accepted(emtr_preprocessed_describe(preprocessed, &info, sizeof info)));
-  require(info.points + info.dropped == cloud.count && info.points >= 10);
-  require(info.base_points == info.points);  // too few to be downsampled
+  require(info.points + info.dropped == cloud.count && info.points >= (cloud.keep_points ? 3 : 10));
+  require(info.base_points + info.strays == info.points);  // too few to be downsampled
   require(std::isfinite(info.radius) && info.radius > 0);
   for (const double value : info.center) require(std::isfinite(value));
   require(info.normals == (cloud.normals != nullptr));

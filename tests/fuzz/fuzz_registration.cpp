@@ -47,10 +47,13 @@ void check(const emtr_result& result, const emtr_settings& settings) {
   require_rigid(result.transformation);
   prior.require_kept(result.transformation);
   require(std::isnan(result.confidence) || in_unit(result.confidence));
-  require(in_unit(result.inlier_ratio_source) && in_unit(result.inlier_ratio_target));
-  require(result.fitness >= 0);
+  const bool by_matches = std::isnan(result.fitness);  // then nothing is measured on surfaces
+  require(by_matches ||
+          (in_unit(result.inlier_ratio_source) && in_unit(result.inlier_ratio_target)));
+  require(by_matches || result.fitness >= 0);
   require(result.iterations <= static_cast<std::size_t>(settings.iterations));
-  require(result.correspondences <= static_cast<std::size_t>(settings.max_correspondences));
+  require(by_matches ||
+          result.correspondences <= static_cast<std::size_t>(settings.max_correspondences));
   require(result.correspondences <= result.correspondences_found);
   require(result.alternative_count <= 10);
   for (std::size_t i = 0; i < result.alternative_count; ++i) {

@@ -9,8 +9,8 @@ namespace emtr {
 
 namespace {
 
-constexpr double kOnePlace = 6;       // leaves, from sensor to sensor
-constexpr double kSamePoints = 0.01;  // leaves, of the root mean square residual
+constexpr double kOnePlace = 6;      // leaves, from sensor to sensor
+constexpr double kSamePoints = 0.5;  // of all points
 
 bool from_one_place(const SurfacePair& surfaces, const Rigid& pose) {
   const auto &source = surfaces.source_viewpoint(), &target = surfaces.target_viewpoint();
@@ -71,7 +71,7 @@ Candidate CandidateSet::evaluate(const Rigid& start, Scratch& scratch) const {
   if (quick(pose) < quick(start)) pose = start;  // refinement can run off along a plane
   const Ranking::Value value = ranking.evaluate(pose, scratch.ranking);
   return {pose, value.fit, value.violation, value.score,
-          value.fit.rms < kSamePoints || from_one_place(surfaces_, pose)};
+          value.fit.same_points > kSamePoints || from_one_place(surfaces_, pose)};
 }
 
 }  // namespace emtr

@@ -13,6 +13,7 @@ namespace {
 constexpr float kReach = 1.5f;          // leaves, to the nearest neighbor
 constexpr float kTolerance = 0.3f;      // leaves, off the tangent plane
 constexpr float kMinimumCosine = 0.7f;  // between the normals
+constexpr float kSame = 0.01f;          // leaves, to a point that is the same
 // Leaves, of the candidate grid: with half of it a pose would cost a tenth less, and the grids
 // five times as much, a hundred poses or more.
 constexpr float kCell = 1.5f;
@@ -82,7 +83,7 @@ SurfaceFit::Sums SurfaceFit::sums(const Weighted& from, const Rigid& pose, int t
                           s.squared.data());
 
   const SurfacePoint* const neighbors = subset(1).side[to].surface.interleaved().data();
-  const float unit = 1.0f / leaf_;
+  const float unit = 1.0f / leaf_, same = (kSame * leaf_) * (kSame * leaf_);
   Sums sum;
   for (std::size_t i = 0; i < n; ++i) {
     if (s.index[i] < 0) continue;
@@ -100,6 +101,7 @@ SurfaceFit::Sums SurfaceFit::sums(const Weighted& from, const Rigid& pose, int t
     sum.weight += static_cast<double>(weight);
     sum.same_side += static_cast<double>(dot > 0 ? weight : 0.0f);
     sum.near += static_cast<double>(from.weights[i]);
+    sum.same_points += static_cast<double>(s.squared[i] < same ? 1.0f : 0.0f);
     sum.sign += static_cast<double>(inlier ? dot : 0.0f);
     sum.squared += static_cast<double>(inlier ? e * e : 0.0f);
     sum.inliers += static_cast<double>(inlier ? 1.0f : 0.0f);
@@ -117,6 +119,8 @@ SurfaceFitValue SurfaceFit::evaluate(const Rigid& pose, std::size_t step, Scratc
   out.near = (a.near + b.near) / 2;
   out.inliers_source = a.inliers / static_cast<double>(source.weights.size());
   out.inliers_target = b.inliers / static_cast<double>(target.weights.size());
+  out.same_points = (a.same_points + b.same_points) /
+                    static_cast<double>(source.weights.size() + target.weights.size());
   const double inliers = a.inliers + b.inliers;
   if (inliers > 0) {
     out.sign = (a.sign + b.sign) / inliers;

@@ -29,7 +29,9 @@ struct SurfaceFitValue {
   /// the normals of both clouds are oriented by one rule. 0 when there are no inliers.
   double sign = 0;
   double inliers_source = 0, inliers_target = 0;  ///< share of each cloud's points
-  double rms = 0;                                 ///< root mean square of e / leaf over the inliers
+  /// Share of all points that are the same in both clouds, to a hundredth of a leaf.
+  double same_points = 0;
+  double rms = 0;  ///< root mean square of e / leaf over the inliers
 };
 
 /// Scores candidate poses: unlike a distance to points it knows which way surfaces face, and unlike
@@ -68,7 +70,7 @@ class SurfaceFit {
     std::vector<float> weights;
   };
   struct Sums {
-    double weight = 0, same_side = 0, near = 0, sign = 0, squared = 0, inliers = 0;
+    double weight = 0, same_side = 0, near = 0, sign = 0, squared = 0, inliers = 0, same_points = 0;
   };
   /// Every step-th point of the source and of the target.
   struct Subset {
