@@ -91,7 +91,7 @@ class Sampling {
     const float inverse = 1 / static_cast<float>(surface.leaf);
     const auto key = [inverse](const Cloud& c, std::size_t i) {
       const auto index = [inverse](float v) {
-        return static_cast<std::uint64_t>(voxel_index(v, inverse) + (1 << 20));
+        return static_cast<std::uint64_t>(std::int64_t{voxel_index(v, inverse)} + (1 << 20));
       };
       return index(c.x[i]) << 42 | index(c.y[i]) << 21 | index(c.z[i]);
     };
@@ -173,7 +173,8 @@ void improve(Best& best) {
   const Direction& c = best.sampling.centroid();
   const double dx = best.at[0] - c[0], dy = best.at[1] - c[1], dz = best.at[2] - c[2];
   const double range = std::sqrt(dx * dx + dy * dy + dz * dz);
-  for (double step = 0.3 * std::max(range, 0.05); step > kFinestStep; step /= 2)
+  double step = 0.3 * std::max(range, 0.05);
+  while (step > kFinestStep) {
     for (int round = 0; round < 3; ++round) {
       bool better = false;
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -184,6 +185,8 @@ void improve(Best& best) {
         }
       if (!better) break;
     }
+    step /= 2;
+  }
 }
 
 /// Returns how far a place outside of the cloud is to be believed and not the one behind it, which
