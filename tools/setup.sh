@@ -9,6 +9,14 @@ LOG=$BUILD/$NAME.log
 EMTR=$BUILD/tools/pcl_emtr # the command, once built
 PYTHON=${PYTHON:-/usr/bin/python3}
 
+# The package and the consumers' tests compile what the build has compiled: once is enough.
+if command -v ccache >/dev/null; then
+  export CMAKE_C_COMPILER_LAUNCHER=${CMAKE_C_COMPILER_LAUNCHER:-ccache}
+  export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}
+  export CCACHE_DIR=${CCACHE_DIR:-$BUILD/ccache}
+  export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
+fi
+
 fail() {
   printf '%s: error: %s\n' "$NAME" "$*" >&2
   exit 1
@@ -55,11 +63,21 @@ install_packages() {
   step "Installing them" "${root[@]}" install -y --no-install-recommends "${missing[@]}"
 }
 
-# build [cmake option...]
-build() {
+# configure [cmake option...]
+configure() {
   step "Configuring the build in $BUILD" \
     cmake -S "$ROOT" -B "$BUILD" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@"
-  step "Building with $(nproc) jobs" cmake --build "$BUILD" --parallel "$(nproc)"
+}
+
+# compile [option of cmake --build...]
+compile() {
+  step "Building with $(nproc) jobs" cmake --build "$BUILD" --parallel "$(nproc)" "$@"
+}
+
+# build [cmake option...]
+build() {
+  configure "$@"
+  compile
 }
 
 # build_sanitized() needs these packages.

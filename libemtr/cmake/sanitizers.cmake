@@ -1,21 +1,22 @@
-# Instruments all that is compiled from here on: for EMTR_SANITIZE and EMTR_BUILD_FUZZERS. Never part
-# of what is installed: the binaries run under their sanitizer alone.
+# Instruments all that is compiled from here on, for EMTR_SANITIZE. Never part of what is installed: the
+# binaries run under their sanitizer alone.
 set_property(CACHE EMTR_SANITIZE PROPERTY STRINGS "" address thread)
 if(NOT EMTR_SANITIZE MATCHES "^(address|thread)?$")
   message(FATAL_ERROR "EMTR_SANITIZE is '${EMTR_SANITIZE}', expected address, thread or nothing")
 endif()
-if(EMTR_BUILD_FUZZERS)
-  if(NOT EMTR_SANITIZE STREQUAL "address")
-    message(FATAL_ERROR "EMTR_BUILD_FUZZERS needs EMTR_SANITIZE=address")
-  endif()
-  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang" OR NOT CMAKE_C_COMPILER_ID MATCHES "Clang")
-    message(FATAL_ERROR "EMTR_BUILD_FUZZERS needs Clang, whose libFuzzer drives the targets; the "
-                        "compilers are ${CMAKE_C_COMPILER} and ${CMAKE_CXX_COMPILER}: "
-                        "set CMAKE_C_COMPILER=clang and CMAKE_CXX_COMPILER=clang++")
-  endif()
-endif()
 if(NOT EMTR_SANITIZE)
   return()
+endif()
+if(EMTR_BUILD_FUZZERS)
+  if(NOT EMTR_SANITIZE STREQUAL "address")
+    message(FATAL_ERROR "EMTR_BUILD_FUZZERS goes with EMTR_SANITIZE=address, or with none")
+  endif()
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang" OR NOT CMAKE_C_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "EMTR_BUILD_FUZZERS with EMTR_SANITIZE needs Clang, whose libFuzzer drives "
+                        "the targets; the compilers are ${CMAKE_C_COMPILER} and "
+                        "${CMAKE_CXX_COMPILER}: set CMAKE_C_COMPILER=clang and "
+                        "CMAKE_CXX_COMPILER=clang++")
+  endif()
 endif()
 
 set(emtr_sanitizers ${EMTR_SANITIZE})

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <fuzzer/FuzzedDataProvider.h>
+#include <FuzzedDataProvider.h>
 
 #include <cmath>
 #include <cstdint>

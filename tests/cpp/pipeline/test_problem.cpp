@@ -35,7 +35,7 @@ TEST(Problem, SolvesAgainToTheSameBits) {
 TEST(Problem, AllNeighborStructuresGiveTheSameBits) {
   const emtr_test::Pair pair(5, 3000);
   emtr::Settings settings = emtr::preset("paper");
-  settings.iterations = 20;
+  settings.iterations = 5;
   const auto solve = [&](emtr_neighbors kind) {
     settings.neighbors = kind;
     return emtr_test::solve(*emtr_test::problem_of(pair.source(), pair.target(), settings));

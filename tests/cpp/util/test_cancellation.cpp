@@ -172,7 +172,7 @@ TEST(CancellationToken, AStopAnywhereLeavesTheBestPoseSoFar) {
   });
   EXPECT_TRUE(same_pose(*all, undisturbed(pair)));
   for (const int threads : {1, 3})
-    for (std::size_t at = 1; at < polls; at += 1 + polls / 40) {
+    for (std::size_t at = 1; at < polls; at += 1 + polls / 20) {
       SCOPED_TRACE("poll " + std::to_string(at) + ", threads " + std::to_string(threads));
       std::size_t asked = 0;
       std::string stage;
@@ -195,7 +195,7 @@ TEST(CancellationToken, AStopAnywhereKeepsToThePrior) {
   const auto count = [&](const emtr_progress&) { return ++polls, false; };
   EXPECT_GT(run(pair, settings, count)->seeds, 0u);
   std::set<std::string> stages;
-  for (std::size_t at = 1; at < polls; at += 1 + polls / 100) {
+  for (std::size_t at = 1; at < polls; at += 1 + polls / 40) {
     std::size_t asked = 0;
     std::string stage;
     const auto stop = [&](const emtr_progress& p) {
