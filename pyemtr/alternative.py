@@ -13,7 +13,12 @@ class Alternative(NamedTuple):
     Attributes:
         transformation: float64 (4, 4), source into target, q = R p + t, in the user's unit.
         score: as :attr:`pyemtr.Result.score`, at most the answer's.
+        surface_fit, violation, evidence: as those of :class:`pyemtr.Result`; NaN where the
+            correspondences alone decide.
     """
 
     transformation: Floats
     score: float
+    surface_fit: float
+    violation: float
+    evidence: float

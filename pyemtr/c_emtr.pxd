@@ -92,6 +92,9 @@ cdef extern from "emtr/emtr.h" nogil:
     ctypedef struct emtr_alternative:
         double transformation[16]
         double score
+        double surface_fit
+        double violation
+        double evidence
 
     ctypedef struct emtr_result:
         pass

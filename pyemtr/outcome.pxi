@@ -58,7 +58,13 @@ cdef object element(emtr_field_type type, const char* values, size_t i):
         return emtr_reason_name(reason).decode(), emtr_reason_text(reason).decode()
     if type == EMTR_FIELD_ALTERNATIVE:
         pose = &(<const emtr_alternative*>values)[i]
-        return listed(pose.transformation, 16), pose.score
+        return (
+            listed(pose.transformation, 16),
+            pose.score,
+            pose.surface_fit,
+            pose.violation,
+            pose.evidence,
+        )
     raise RuntimeError(f"a result field of the unknown type {type}")
 
 

@@ -171,7 +171,7 @@ class Result:
 
     def to_dict(self) -> dict[str, Any]:
         """Returns all fields as JSON values: lists for arrays, None for NaN and infinities, a dict
-        with "transformation" and "score" for each alternative."""
+        with the attributes for each alternative."""
         return {name: _json(value) for name, value in vars(self).items()}
 
     def __repr__(self) -> str:
@@ -213,7 +213,7 @@ def make_result(raw: Mapping[str, Any], settings: dict[str, Any]) -> Result:
 
 def _field(value: Any, kind: str, rows: int, columns: int) -> Any:
     if kind == "alternative":
-        return [Alternative(_matrix(pose, 4), score) for pose, score in value]
+        return [Alternative(_matrix(pose, 4), *values) for pose, *values in value]
     if not isinstance(value, list):
         return value
     return _matrix(value, rows) if rows > 1 else _vector(value)

@@ -71,9 +71,9 @@ void print(const emtr_result& r, const std::vector<double>& residuals) {
   print("center_target", r.center_target, 3);
   print("history_alpha", r.history_alpha, r.iterations);
   print("history_beta", r.history_beta, r.iterations);
-  static_assert(sizeof(emtr_alternative) == 17 * sizeof(double), "pose and score, side by side");
+  static_assert(sizeof(emtr_alternative) == 20 * sizeof(double), "all doubles, side by side");
   print("alternatives", r.alternative_count ? r.alternatives->transformation : nullptr,
-        17 * r.alternative_count);
+        20 * r.alternative_count);
   print("information", r.information, 36);
   print("hessian_eigenvalues", r.hessian_eigenvalues, 6);
   print("hessian_eigenvectors", r.hessian_eigenvectors, 36);

@@ -17,6 +17,8 @@ from emtr_bench.pairs import REPOSITORY
 from emtr_bench.runner import Options, Outcome
 from emtr_bench.sample import write_ply
 
+from pyemtr.alternative import Alternative
+
 COLUMNS = "group,name,tier,paper_row,n_source,n_target"
 ROWS = (
     ("objects", "duck", "standard", "", 60),
@@ -97,15 +99,19 @@ class FakeEngine:
             registered,
             "registered" if registered else "ambiguous",
             {"fitness": 0.25, "inlier_ratio_source": 0.9, "inlier_ratio_target": 0.8,
-             "inlier_rmse": float("nan"), "fitness_gap": 0.125,
+             "inlier_rmse": float("nan"), "fitness_gap": 0.125, "score": 0.75,
+             "surface_fit": 0.8, "violation": 0.002, "evidence": 300.0, "score_gap": 0.25,
              "confidence": float("nan") if options.preset == "paper" else
              0.75 if registered else 0.25},
             {"sparse_source": SPARSE, "dense_source": DENSE[0], "dense_target": DENSE[1]},
             {"evaluation": evaluation, "switch": 7, "complement": 9},
             {"total": 0.5},
             settings,
-            [spoil(truth, source.mean(axis=0), 120.0, 0.0)]
-            + [truth] * (options.seed in self.aware),
+            [
+                Alternative(pose, 0.5, 0.6, 0.01, 200.0)
+                for pose in [spoil(truth, source.mean(axis=0), 120.0, 0.0)]
+                + [truth] * (options.seed in self.aware)
+            ],
         )  # fmt: skip
 
     def fitness(self, run, options: Options):

@@ -92,7 +92,7 @@ def bits(result) -> bytes:
         result.score_gap,
         result.seeds,
         result.candidates,
-        *[alternative.score for alternative in result.alternatives],
+        *[value for alternative in result.alternatives for value in alternative[1:]],
     ]
     return b"".join(array.tobytes() for array in [*arrays, np.array(numbers, dtype=float)])
 

@@ -80,3 +80,17 @@ def test_a_bad_manifest_is_named(data):
     (data / "MANIFEST.csv").write_text("group,name\nobjects,duck\n")
     with pytest.raises(DataError, match=r"MANIFEST.csv: expected the columns group, name, tier"):
         pairs.read_manifest(data)
+
+
+def test_without_a_manifest_each_folder_is_a_pair(data, tmp_path):
+    folder = data / "pairs" / "objects"
+    assert pairs.data_folder(str(folder)) == folder
+    found = pairs.read_manifest(folder)
+    assert [(p.name, p.tier, p.group) for p in found] == [
+        ("duck", "objects", "duck"),
+        ("hare", "objects", "hare"),
+    ]
+    assert found[0].points > found[1].points > 0
+    assert pairs.load(found[0]).source.shape == (60, 3)
+    with pytest.raises(DataError, match=r"no folder in .* has source\.ply, target\.ply, T_gt\.txt"):
+        pairs.data_folder(str(tmp_path / "none"))

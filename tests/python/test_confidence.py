@@ -49,7 +49,7 @@ def test_both_poses_of_a_symmetric_shape_are_told(twofold):
     # However sure the library holds itself to be, it is asked to be surer.
     found = pyemtr.register(twofold.source, twofold.target, threads=2, minimum_confidence=1)
     assert found.reason == "ambiguous" and not found.registered
-    other, score = found.alternatives[0]
+    other, score, *_ = found.alternatives[0]
     right = [twofold.truth, twofold.truth @ HALF_ROTATION]
     for pose in (found.transformation, other):
         assert min(shapes.rotation_error(pose, wanted) for wanted in right) < 1
@@ -105,8 +105,8 @@ def test_a_lower_bar_lets_more_be_called_registered(pair):
 def test_alternatives_can_be_written_down(twofold):
     found = pyemtr.register(twofold.source, twofold.target, threads=2)
     written = json.loads(json.dumps(found.to_dict(), allow_nan=False))["alternatives"]
-    assert (
-        written
-        == [{"transformation": pose.tolist(), "score": score} for pose, score in found.alternatives]
-        != []
-    )
+    expected = [
+        {**other._asdict(), "transformation": other.transformation.tolist()}
+        for other in found.alternatives
+    ]
+    assert written == expected != []

@@ -110,7 +110,10 @@ def test_a_new_field_of_the_table_becomes_an_attribute(monkeypatch: pytest.Monke
         ("weather_wind", "weather", "wind", "real", 1, 1),
     ]
     raw: dict[str, Any] = dict.fromkeys((row[0] for row in rows), 0)
-    raw |= {"reason": ("low_overlap", "few points"), "alternatives": [(range(16), 0.5)]}
+    raw |= {
+        "reason": ("low_overlap", "few points"),
+        "alternatives": [(range(16), 0.5, 0.4, 0.3, 90.0)],
+    }
     raw |= {"shape": [1, 2, 3, 4, 5, 6], "queries_other": 7, "weather_wind": 0.25}
     monkeypatch.setattr(_emtr, "describe_result", lambda: rows)
     made: Any = result.make_result(raw, {})
@@ -118,6 +121,7 @@ def test_a_new_field_of_the_table_becomes_an_attribute(monkeypatch: pytest.Monke
     assert made.queries["other"] == 7 and made.weather == {"wind": 0.25}
     assert (made.reason, made.reason_text) == ("low_overlap", "few points")
     assert made.alternatives[0].transformation[1, 2] == 6
+    assert made.alternatives[0][1:] == (0.5, 0.4, 0.3, 90.0)
     written = made.to_dict()
     assert written["shape"] == [[1, 2, 3], [4, 5, 6]] and written["weather"] == {"wind": 0.25}
     assert next(iter(written)) == "transformation" and list(written)[-1] == "weather"

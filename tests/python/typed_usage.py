@@ -54,8 +54,9 @@ def how_sure(source: NDArray[np.float32], target: NDArray[np.float32]) -> list[f
         result.hessian_eigenvectors[:free],
     )
     others: list[pyemtr.Alternative] = result.alternatives
-    for transformation, score in others:
+    for transformation, score, fit, violation, evidence in others:
         print(transformation.shape, result.score - score, result.score_gap)
+        print(fit, violation, evidence)
     return [other.score for other in others]
 
 

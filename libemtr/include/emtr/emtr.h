@@ -331,6 +331,9 @@ typedef enum emtr_reason {
 typedef struct emtr_alternative {
   double transformation[16]; /* source into target, row-major, user's unit */
   double score;              /* as in the result, never above the answer's */
+  double surface_fit;        /* as in the result; NaN where the matches alone decide, as below */
+  double violation;          /* as in the result */
+  double evidence;           /* as in the result */
 } emtr_alternative;
 
 /* The library owns it and all that it points to; emtr_result_free() frees it. Later versions append

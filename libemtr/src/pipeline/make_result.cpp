@@ -78,12 +78,15 @@ void fill_verdict(const Verdict& verdict, emtr_result& r) {
   r.fitness_gap = verdict.fitness_gap;
 }
 
-void fill_alternatives(const Confidence& confidence, const Normalization& normalization,
-                       Result& r) {
+void fill_alternatives(const Confidence& confidence, const Problem& problem, Result& r) {
   for (const Candidate& other : confidence.alternatives) {
-    r.others.emplace_back();
-    to_matrix(normalization.to_user(other.pose), r.others.back().transformation);
-    r.others.back().score = other.score;
+    emtr_alternative& out = r.others.emplace_back();
+    to_matrix(problem.pair.normalization.to_user(other.pose), out.transformation);
+    out.score = other.score;
+    out.surface_fit = other.fit.score;
+    out.violation = other.violation;
+    out.evidence = evidence(other, problem.downsampled.source_dense.size(),
+                            problem.downsampled.target_dense.size());
   }
   r.alternatives = r.others.data();
   r.alternative_count = r.others.size();
@@ -103,7 +106,7 @@ void fill_candidates(const Problem& problem, const Solution& found, Result& r) {
   r.confidence = found.confidence->probability;
   r.evidence = found.confidence->evidence;
   r.scale_factor = found.confidence->scale_factor;
-  fill_alternatives(*found.confidence, problem.pair.normalization, r);
+  fill_alternatives(*found.confidence, problem, r);
   if (found.stopped) return;
   const bool unconstrained = found.refined.unconstrained > 0 && found.refined.succeeded;
   r.reason = reason(best, *found.confidence, unconstrained, problem.correspondences.size(),
@@ -124,9 +127,10 @@ void fill_matches(const Problem& problem, const Solution& found, Result& r) {
   r.score = r.score_gap = score(poses.front());
   r.inlier_rmse = found.refined.rmse * problem.pair.normalization.scale;
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    r.others.emplace_back();
-    to_matrix(problem.pair.normalization.to_user(poses[i].pose), r.others.back().transformation);
-    r.others.back().score = std::min(score(poses[i]), r.score);
+    emtr_alternative& out = r.others.emplace_back();
+    to_matrix(problem.pair.normalization.to_user(poses[i].pose), out.transformation);
+    out.score = std::min(score(poses[i]), r.score);
+    out.surface_fit = out.violation = out.evidence = std::numeric_limits<double>::quiet_NaN();
     r.score_gap = r.score - r.others.front().score;
   }
   r.alternatives = r.others.data();

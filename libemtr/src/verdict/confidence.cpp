@@ -29,7 +29,7 @@ constexpr double kBias = 0.15, kGapWeight = 1.78, kViolationWeight = -5.8, kEvid
 constexpr double kFlushMismatch = 0.7, kMismatchWeight = 20;
 // Outlines of unrelated floor plans, all straight walls at right angles, reach scores of 0.3; those
 // that overlap by half and more have 0.5 to 0.6.
-constexpr double kOutlineBias = -1, kOutlineScoreWeight = 8;
+constexpr double kOutlineBias = 0.5, kOutlineScoreWeight = 8;
 constexpr double kMinimum = 1e-3;  // of a score, fit or gap, for logarithm and quotient
 
 double log_odds(const Candidate& best, double score_gap, double evidence) {
@@ -52,6 +52,11 @@ bool has_rival(const Candidate& best, const std::vector<Candidate>& alternatives
 
 }  // namespace
 
+double evidence(const Candidate& candidate, std::size_t source, std::size_t target) {
+  return std::min(candidate.fit.inliers_source * static_cast<double>(source),
+                  candidate.fit.inliers_target * static_cast<double>(target));
+}
+
 Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t source,
                                std::size_t target) {
   Confidence out;
@@ -61,8 +66,7 @@ Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t
   const double second =
       out.alternatives.empty() ? 0 : std::max(0.0, out.alternatives.front().score);
   out.score_gap = best.score - second;
-  out.evidence = std::min(best.fit.inliers_source * static_cast<double>(source),
-                          best.fit.inliers_target * static_cast<double>(target));
+  out.evidence = evidence(best, source, target);
   double probability = 1 / (1 + std::exp(-log_odds(best, out.score_gap, out.evidence)));
   // What the model has not seen: a second answer as good, and next to no points to judge by.
   if (has_rival(best, out.alternatives)) probability *= kRivalFactor;
@@ -88,9 +92,9 @@ double lower_confidence(double probability, double surface_mismatch) {
 }
 
 double lower_outline_confidence(double probability, double score) {
-  const double odds =
-      probability / (1 - probability) *
+  const double factor =
       std::exp(kOutlineBias + kOutlineScoreWeight * std::log(std::max(score, kMinimum)));
+  const double odds = probability / (1 - probability) * std::min(factor, 1.0);
   return rounded(odds / (1 + odds));
 }
 

@@ -16,6 +16,10 @@ struct Confidence {
   std::vector<Candidate> alternatives;  ///< clearly different from it and from each other
 };
 
+/// Returns how many points of the poorer cloud lie on the other. `source`, `target`: numbers of
+/// points of the surfaces.
+double evidence(const Candidate& candidate, std::size_t source, std::size_t target);
+
 /// Estimates the confidence in the best candidate. `ranked`: candidates, best first, not empty.
 /// `source`, `target`: numbers of points of the surfaces.
 Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t source,

@@ -244,4 +244,10 @@ TEST_F(Reason, FollowsTheConfidenceAskedFor) {
   EXPECT_EQ(reason({0.7, 0.695}), EMTR_REASON_REGISTERED);
 }
 
+TEST(Confidence, OutlinesAreBelievedByTheirScore) {
+  EXPECT_LT(emtr::lower_outline_confidence(0.999, 0.3), 0.1);
+  EXPECT_GT(emtr::lower_outline_confidence(0.999, 0.6), 0.9);
+  EXPECT_NEAR(emtr::lower_outline_confidence(0.999, 1), 0.999, 1e-6);  // never surer than before
+}
+
 }  // namespace

@@ -53,7 +53,7 @@ class PyemtrEngine:
             result.queries,
             result.timings,
             result.settings,
-            [other.transformation for other in result.alternatives],
+            result.alternatives,
         )
 
     def fitness(self, run: Run, options: Options) -> tuple[float, float]:

@@ -23,9 +23,12 @@ class DataError(Exception):
     """The data are absent or not what was expected; the message names the file."""
 
 
+FILES = ("source.ply", "target.ply", "T_gt.txt")
+
+
 @dataclass(frozen=True)
 class Pair:
-    """One pair on disk: ``source.ply``, ``target.ply`` and ``T_gt.txt`` in ``folder``."""
+    """One pair on disk: FILES in ``folder``."""
 
     name: str
     tier: str
@@ -45,20 +48,28 @@ class Clouds:
 
 
 def data_folder(argument: str | None = None) -> Path:
-    """The folder with ``MANIFEST.csv``: the argument, else EMTR_DATA, else beside the project."""
+    """The folder with ``MANIFEST.csv``, or with a folder for each pair: the argument, else
+    EMTR_DATA, else beside the project."""
     chosen = argument or os.environ.get("EMTR_DATA") or REPOSITORY.parent / "shared" / "data"
     folder = Path(chosen)
-    if not (folder / "MANIFEST.csv").is_file():
+    if not (folder / "MANIFEST.csv").is_file() and not _pair_folders(folder):
         raise DataError(
-            f"no test data: {folder / 'MANIFEST.csv'} does not exist "
-            "(name the folder by --data or by the environment variable EMTR_DATA)"
+            f"no test data: {folder / 'MANIFEST.csv'} does not exist, and no folder in {folder} "
+            f"has {', '.join(FILES)} (name the folder by --data or by the environment variable "
+            "EMTR_DATA)"
         )
     return folder
 
 
 def read_manifest(folder: Path) -> list[Pair]:
-    """All pairs of a data folder, in the order of the tiers and then of the manifest."""
+    """All pairs of a data folder, in the order of the tiers and then of the manifest. Without a
+    manifest each folder with FILES is a pair, all of one tier and each from a source of its own."""
     path = folder / "MANIFEST.csv"
+    if not path.is_file():
+        return [
+            Pair(own.name, folder.resolve().name, own, points=_bytes(own), group=own.name)
+            for own in _pair_folders(folder)
+        ]
     try:
         with path.open(newline="", encoding="utf-8") as file:
             pairs = [_pair(folder, row) for row in csv.DictReader(file)]
@@ -128,6 +139,14 @@ def _pair(folder: Path, row: dict[str, str]) -> Pair:
         points=int(row["n_source"]) + int(row["n_target"]),
         group=row["group"],
     )
+
+
+def _pair_folders(folder: Path) -> list[Path]:
+    return sorted(own for own in folder.glob("*") if all((own / name).is_file() for name in FILES))
+
+
+def _bytes(folder: Path) -> int:
+    return sum((folder / name).stat().st_size for name in FILES)
 
 
 def _tier_rank(tier: str) -> int:

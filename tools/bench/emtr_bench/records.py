@@ -57,6 +57,7 @@ def _run(run: Run) -> dict[str, Any]:
     found = {
         "pair": run.pair.name,
         "tier": run.pair.tier,
+        "group": run.pair.group,
         "index": run.index,
         "class": run.kind,
         "seed": run.seed,
@@ -67,6 +68,7 @@ def _run(run: Run) -> dict[str, Any]:
         "success": run.success,
         "joint": run.joint,
         "among_alternatives": run.among,
+        "alternatives_right": list(run.others_right),
         "wall_seconds": run.wall,
         "error": run.error or None,
     }
@@ -79,6 +81,7 @@ def _unrelated(run: Unrelated) -> dict[str, Any]:
     found = {
         "source": run.pairing.source.name,
         "target": run.pairing.target.name,
+        "group": run.pairing.source.group,
         "seed": run.seed,
         "wall_seconds": run.wall,
         "error": run.error or None,
@@ -95,7 +98,10 @@ def _outcome(outcome: Outcome) -> dict[str, Any]:
         "reason": outcome.reason,
         **outcome.quality,
         **outcome.counts,
-        "alternatives": [T.tolist() for T in outcome.alternatives],
+        "alternatives": [
+            {**other._asdict(), "transformation": other.transformation.tolist()}
+            for other in outcome.alternatives
+        ],
         "queries": outcome.queries,
         "seconds": outcome.seconds,
     }

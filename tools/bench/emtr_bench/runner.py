@@ -13,6 +13,7 @@ from typing import Any, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from pyemtr.alternative import Alternative
 from pyemtr.metrics import (
     MAX_ROTATION_ERROR,
     MAX_TRANSLATION_ERROR,
@@ -53,7 +54,7 @@ class Outcome:
     queries: dict[str, int]  # evaluation, switch, complement
     seconds: dict[str, float]  # by stage, as the library measured
     settings: dict[str, Any]  # all of them, as the library held them
-    alternatives: list[Array] = field(default_factory=list)  # other poses, best first
+    alternatives: list[Alternative] = field(default_factory=list)  # best first
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,7 @@ class Run:
     rotation: float  # degrees, NaN without a pose
     translation: float  # normalized frame, NaN without a pose
     error: str = ""
-    among: bool = False  # one of the alternatives is right
+    others_right: tuple[bool, ...] = ()  # for each of the alternatives
 
     @property
     def success(self) -> bool:
@@ -92,6 +93,11 @@ class Run:
     @property
     def joint(self) -> bool:
         return right((self.rotation, self.translation))
+
+    @property
+    def among(self) -> bool:
+        """One of the alternatives is right."""
+        return any(self.others_right)
 
     @property
     def joint_or_among(self) -> bool:
@@ -158,12 +164,13 @@ def run(pair: Pair, index: int, register: Register, options: Options) -> Run:
     own = replace(options, seed=seed, settings=settings)
     sensors = case.sensors if options.viewpoints else None
     outcome, error, wall = attempt(register, case.source, case.target, own, sensors)
-    rotation, translation, among = math.nan, math.nan, False
+    rotation, translation, others = math.nan, math.nan, ()
     if outcome is not None and np.isfinite(outcome.transformation).all():
         rotation, translation = pose_errors(case, outcome.transformation)
-        among = any(right(pose_errors(case, T)) for T in outcome.alternatives)
+        others = tuple(right(pose_errors(case, other.transformation))
+                       for other in outcome.alternatives)  # fmt: skip
     T_true, kind = case.motion.T_true, case.motion.kind
-    return Run(pair, index, kind, seed, T_true, wall, outcome, rotation, translation, error, among)
+    return Run(pair, index, kind, seed, T_true, wall, outcome, rotation, translation, error, others)
 
 
 def attempt(

@@ -14,7 +14,11 @@ Value read(const char* from) {
 }
 
 Json pose_json(const emtr_alternative& pose) {
-  return {{"score", pose.score}, {"transformation", rows<4>(pose.transformation)}};
+  return {{"score", pose.score},
+          {"surface_fit", pose.surface_fit},
+          {"violation", pose.violation},
+          {"evidence", pose.evidence},
+          {"transformation", rows<4>(pose.transformation)}};
 }
 
 /// Returns the element at `from` and moves on to the next one.

@@ -29,7 +29,7 @@ def calibration(arguments: argparse.Namespace, engine: accuracy.Engine) -> int:
         print(f"calibration: {error}", file=sys.stderr)
         return 2
     found = {name: figures_of(runs, arguments.bins) for name, runs in presets.items()}
-    print("\n\n".join(text(name, figures) for name, figures in found.items()))
+    print("\n\n".join(text(f"preset {name}", figures) for name, figures in found.items()))
     if arguments.json:
         value = {name: dataclasses.asdict(figures) for name, figures in found.items()}
         records.write(arguments.json, {"benchmark": "calibration", "presets": value})

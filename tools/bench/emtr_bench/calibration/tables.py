@@ -7,9 +7,9 @@ import math
 from .figures import Calibration, Share
 
 
-def text(preset: str, found: Calibration) -> str:
+def text(title: str, found: Calibration) -> str:
     lines = [
-        f"preset {preset}: {found.runs} runs, {found.unrelated} of them of scans that do not "
+        f"{title}: {found.runs} runs, {found.unrelated} of them of scans that do not "
         f"belong together; {found.right} right",
         f"{'confidence':>14}{'runs':>7}{'mean':>8}{'right':>8}{'95 % interval':>17}",
     ]
