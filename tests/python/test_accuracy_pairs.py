@@ -14,8 +14,11 @@ def data(tmp_path):
 
 def test_pairs_come_in_the_order_of_the_tiers(data):
     manifest = pairs.read_manifest(data)
-    assert [(p.name, p.tier, p.points) for p in manifest] == [
-        ("hare", "paper", 100), ("hall", "paper", 80), ("duck", "standard", 120)]  # fmt: skip
+    assert [(p.name, p.tier, p.paper_row) for p in manifest] == [
+        ("hare", "paper", "Bunny"),
+        ("hall", "paper", "7a (stand-in)"),
+        ("duck", "standard", ""),
+    ]
 
 
 def test_tiers_and_names_select(data):
@@ -78,7 +81,7 @@ def test_a_bad_file_is_named(data, name, content, message):
 
 def test_a_bad_manifest_is_named(data):
     (data / "MANIFEST.csv").write_text("group,name\nobjects,duck\n")
-    with pytest.raises(DataError, match=r"MANIFEST.csv: expected the columns group, name, tier"):
+    with pytest.raises(DataError, match=r"MANIFEST.csv: expected the columns group, name and tier"):
         pairs.read_manifest(data)
 
 
@@ -90,7 +93,7 @@ def test_without_a_manifest_each_folder_is_a_pair(data, tmp_path):
         ("duck", "objects", "duck"),
         ("hare", "objects", "hare"),
     ]
-    assert found[0].points > found[1].points > 0
+    assert found[0].size > found[1].size > 0
     assert pairs.load(found[0]).source.shape == (60, 3)
     with pytest.raises(DataError, match=r"no folder in .* has source\.ply, target\.ply, T_gt\.txt"):
         pairs.data_folder(str(tmp_path / "none"))

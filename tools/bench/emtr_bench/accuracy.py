@@ -90,7 +90,7 @@ def choose(arguments: argparse.Namespace, scratch: Path) -> tuple[list[Pair], in
         pairs = select(read_manifest(folder), tiers, names)
     if not arguments.smoke:
         return pairs, arguments.transforms
-    smallest = sorted(pairs, key=lambda pair: pair.points)[:SMOKE_PAIRS]
+    smallest = sorted(pairs, key=lambda pair: pair.size)[:SMOKE_PAIRS]
     return smallest, min(arguments.transforms, SMOKE_TRANSFORMS)
 
 

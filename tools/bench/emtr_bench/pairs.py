@@ -34,7 +34,7 @@ class Pair:
     tier: str
     folder: Path
     paper_row: str = ""  # as the manifest has it, "" where the paper has no such row
-    points: int = 0  # of both clouds, as the manifest says
+    size: int = 0  # of the files, in bytes
     group: str = ""  # where it comes from
 
 
@@ -67,7 +67,7 @@ def read_manifest(folder: Path) -> list[Pair]:
     path = folder / "MANIFEST.csv"
     if not path.is_file():
         return [
-            Pair(own.name, folder.resolve().name, own, points=_bytes(own), group=own.name)
+            Pair(own.name, folder.resolve().name, own, size=_bytes(own), group=own.name)
             for own in _pair_folders(folder)
         ]
     try:
@@ -75,8 +75,7 @@ def read_manifest(folder: Path) -> list[Pair]:
             pairs = [_pair(folder, row) for row in csv.DictReader(file)]
     except (KeyError, TypeError, ValueError) as error:
         raise DataError(
-            f"{path}: expected the columns group, name, tier, paper_row, n_source and "
-            f"n_target in every line: {error!r}"
+            f"{path}: expected the columns group, name and tier in every line: {error!r}"
         ) from error
     return sorted(pairs, key=lambda pair: _tier_rank(pair.tier))
 
@@ -131,14 +130,9 @@ def read_transformation(path: Path) -> Array:
 
 
 def _pair(folder: Path, row: dict[str, str]) -> Pair:
-    return Pair(
-        name=row["name"],
-        tier=row["tier"],
-        folder=folder / "pairs" / row["group"] / row["name"],
-        paper_row=row["paper_row"],
-        points=int(row["n_source"]) + int(row["n_target"]),
-        group=row["group"],
-    )
+    own = folder / "pairs" / row["group"] / row["name"]
+    paper_row = row.get("paper_row") or ""
+    return Pair(row["name"], row["tier"], own, paper_row, _bytes(own), row["group"])
 
 
 def _pair_folders(folder: Path) -> list[Path]:
@@ -146,7 +140,8 @@ def _pair_folders(folder: Path) -> list[Path]:
 
 
 def _bytes(folder: Path) -> int:
-    return sum((folder / name).stat().st_size for name in FILES)
+    files = [folder / name for name in FILES]
+    return sum(file.stat().st_size for file in files if file.is_file())
 
 
 def _tier_rank(tier: str) -> int:

@@ -20,7 +20,7 @@ def sample_pair(folder: Path) -> Pair:
     for name, cloud in zip(("source", "target"), clouds):
         write_ply(folder / f"{name}.ply", cloud)
     (folder / "T_true.txt").rename(folder / "T_gt.txt")
-    return Pair("sample", "sample", folder, points=sum(map(len, clouds)))
+    return Pair("sample", "sample", folder, size=sum(cloud.nbytes for cloud in clouds))
 
 
 def sample_clouds(folder: Path, points: int = 40000) -> tuple[Array, Array]:

@@ -55,7 +55,7 @@ def choose(arguments: argparse.Namespace, scratch: Path) -> tuple[list[Pair], in
         return [sample_pair(scratch)], 1
     pairs = select(read_manifest(folder), arguments.tier, [])
     if arguments.smoke:
-        return [min(pairs, key=lambda pair: pair.points)], 1
+        return [min(pairs, key=lambda pair: pair.size)], 1
     return pairs, arguments.transforms
 
 
