@@ -4,27 +4,10 @@
 #include <vector>
 
 #include "correspondences/correspondence.h"
-#include "features/fpfh.h"
-#include "preprocessing/keypoints.h"
+#include "correspondences/descriptor_rows.h"
+#include "kernels/kernels.h"
 
 namespace emtr {
-
-/// A view of the descriptors of a cloud's points, row-major (count, dimension). A point whose first
-/// number is NaN has none.
-struct DescriptorRows {
-  const float* values;
-  std::size_t count, dimension;
-
-  DescriptorRows(const std::vector<float>& numbers, std::size_t size)
-      : values(numbers.data()), count(numbers.size() / size), dimension(size) {}
-  DescriptorRows(const Features& features)  // NOLINT: the descriptors of the features
-      : DescriptorRows(features.descriptors, kFeatureSize) {}
-  DescriptorRows(const Keypoints& keypoints)  // NOLINT: the descriptors of the keypoints
-      : DescriptorRows(keypoints.descriptors, keypoints.dimension) {}
-
-  const float* row(std::size_t i) const { return values + i * dimension; }
-  bool valid(std::size_t i) const { return *row(i) == *row(i); }
-};
 
 /// Returns the pairs whose points are each among the k nearest of the other by descriptor (k = 1:
 /// mutual nearest neighbors), without a ratio test: the `max_count` pairs with the smallest

@@ -4,6 +4,8 @@
 #include "kernels/consensus.inl"
 #include "kernels/descriptors.inl"
 #include "kernels/matching.inl"
+//
+#include "kernels/block_matching.inl"
 #include "kernels/nearest.inl"
 #include "kernels/sums.inl"
 #include "kernels/voxels.inl"
@@ -30,6 +32,7 @@ constexpr Kernels all(const char* name) {
   k.weighted_histograms = weighted_histograms;
   k.minimum_squared_distance = minimum_squared_distance;
   k.nearest_descriptors = nearest_descriptors;
+  k.nearest_in_blocks = nearest_in_blocks;
   return k;
 }
 

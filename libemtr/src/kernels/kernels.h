@@ -80,6 +80,24 @@ struct DescriptorBlocks {
   std::size_t dimension;  ///< numbers of each; kDescriptor is the fastest for its size
 };
 
+constexpr std::size_t kPrincipal = 16;  ///< coordinates that bound the distance of descriptors
+
+/// kDescriptorBlock descriptors that are near each other, NaN after the last; see
+/// correspondences/principal_blocks.
+struct PrincipalBlock {
+  const float* values;        ///< [number of the descriptor][descriptor of the block]
+  const float* principal;     ///< [coordinate][descriptor of the block]
+  const float *low, *high;    ///< the box of the coordinates
+  const std::int32_t* index;  ///< by which the other side knows each; -1 after the last
+  std::size_t first;          ///< place of the first descriptor in the lists
+};
+
+/// How much less than it is a distance may look by its coordinates: `factor` times the squared
+/// distance and `slack` are an upper bound of the squared distance of the coordinates.
+struct DistanceBound {
+  float factor, slack;
+};
+
 /// The k nearest of each of some items, nearest first: the j-th of item i lies at [j * stride + i].
 /// Infinity and -1 where there are fewer.
 struct NearestLists {
@@ -168,6 +186,13 @@ struct Kernels {
   void (*nearest_descriptors)(const float* rows, std::size_t count, std::int32_t first_row,
                               const DescriptorBlocks& columns, const NearestLists& of_rows,
                               const NearestLists& of_columns);
+
+  /// Enters the pairs of one block of rows and one of columns that can be among the k nearest in
+  /// both lists, of equal distances those of the smaller index. The distances are the same bits as
+  /// above. No list need have what is beyond `known`, which has an entry for each of the columns.
+  void (*nearest_in_blocks)(const PrincipalBlock& rows, const PrincipalBlock& columns,
+                            std::size_t dimension, const DistanceBound& bound, const float* known,
+                            const NearestLists& of_rows, const NearestLists& of_columns);
 };
 
 /// Returns the fastest kernels that this machine can run, or those that the variable EMTR_KERNEL

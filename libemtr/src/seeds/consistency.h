@@ -32,6 +32,16 @@ class Consistency {
   /// Returns the bits of correspondence i: which others are consistent with it.
   const std::uint64_t* row(std::size_t i) const { return &bits_[i * words_]; }
   std::size_t words() const { return words_; }
+  /// Calls visit(j) for each j >= first that is consistent with correspondence i, in order.
+  template <class Visit>
+  void for_each_consistent(std::size_t i, std::size_t first, const Visit& visit) const {
+    for (std::size_t word = first / 64; word < words_; ++word) {
+      std::uint64_t bits = row(i)[word];
+      if (word == first / 64) bits &= ~std::uint64_t{0} << (first % 64);
+      for (; bits; bits &= bits - 1)
+        visit(64 * word + static_cast<std::size_t>(__builtin_ctzll(bits)));
+    }
+  }
 
   const Cloud& p() const { return p_; }  ///< source points, one for each correspondence, padded
   const Cloud& q() const { return q_; }  ///< target points

@@ -23,12 +23,18 @@ Eigen::Vector3d point(const Cloud& cloud, std::size_t i) {
 std::vector<std::size_t> find_centers(const Consistency& c, double threshold, std::size_t max_count,
                                       ThreadTeam& team) {
   std::vector<std::size_t> support(c.size()), order(c.size());
-  team.parallel(c.size(), [&](std::size_t i, std::size_t) {
-    std::size_t sum = 0;
-    for (std::size_t j = 0; j < c.size(); ++j)
-      if (c(i, j)) sum += c.common(i, j);
-    support[i] = sum;
+  std::vector<std::vector<std::size_t>> parts(team.size());  // by thread
+  team.parallel(c.size(), [&](std::size_t i, std::size_t thread) {
+    std::vector<std::size_t>& sums = parts[thread];
+    sums.resize(c.size());
+    c.for_each_consistent(i, i + 1, [&](std::size_t j) {
+      const std::size_t common = c.common(i, j);
+      sums[i] += common;
+      sums[j] += common;
+    });
   });
+  for (const std::vector<std::size_t>& sums : parts)
+    for (std::size_t i = 0; i < sums.size(); ++i) support[i] += sums[i];
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return support[a] > support[b]; });
@@ -73,8 +79,8 @@ class SeedFit {
  private:
   std::vector<std::size_t> consistent_subset(std::size_t center) const {
     std::vector<std::pair<std::size_t, std::size_t>> consistent;  // how many in common, which
-    for (std::size_t j = 0; j < c_.size(); ++j)
-      if (c_(center, j)) consistent.emplace_back(c_.common(center, j), j);
+    c_.for_each_consistent(
+        center, 0, [&](std::size_t j) { consistent.emplace_back(c_.common(center, j), j); });
     const std::size_t n = std::min(kSubset, consistent.size());
     std::partial_sort(consistent.begin(), consistent.begin() + static_cast<std::ptrdiff_t>(n),
                       consistent.end(), [](const auto& a, const auto& b) {
