@@ -14,14 +14,14 @@ from emtr_bench.fit_confidence.model import fit
 from emtr_bench.fit_confidence.samples import Pose, Sample, features, read, samples
 from emtr_bench.pairs import DataError
 
-RIGHT = Pose(0.6, 0.8, 0.02, 100.0, True)
+RIGHT = Pose(0.9, 0.8, 0.02, 100.0, True)
 WRONG = Pose(0.5, 0.7, 0.07, 50.0, False)
 WORSE = Pose(0.2, 0.4, 0.0, 10.0, False)
 
 
 def test_terms_by_hand():
     gap, violation, evidence = features([RIGHT, WRONG])
-    assert gap == pytest.approx(math.log(0.1)) and evidence == pytest.approx(math.log(100))
+    assert gap == pytest.approx(math.log(0.4)) and evidence == pytest.approx(math.log(100))
     assert violation == pytest.approx(math.sqrt(0.025))
     alone = features([Pose(0.0, 0.0, 0.0, 0.0, False)])
     assert alone == (math.log(1e-3), 0.0, 0.0)
@@ -31,9 +31,11 @@ def test_a_run_with_right_poses_says_what_its_answer_would_have_been_without():
     found = samples("lidar", [RIGHT, WRONG, RIGHT, WORSE])
     assert found == [
         Sample("lidar", features([RIGHT, WRONG]), True),
-        Sample("lidar", features([WRONG, WORSE]), False),
+        Sample("lidar", features([WRONG, WORSE]), False, True),
     ]
     assert samples("lidar", [WRONG, WORSE]) == [Sample("lidar", features([WRONG, WORSE]), False)]
+    rival = Pose(0.85, 0.9, 0.0, 90.0, False)
+    assert samples("lidar", [RIGHT, rival]) == [Sample("lidar", features([rival]), False, True)]
     assert samples("lidar", [RIGHT]) == [Sample("lidar", features([RIGHT]), True)]
 
 

@@ -16,7 +16,7 @@ struct PrincipalBasis {
   Eigen::VectorXf mean;
   Eigen::MatrixXf axes;  ///< (dimension, kPrincipal), the largest variance first
 
-  /// Of the descriptors of both sides, or of some thousand of them.
+  /// Finds the basis of the descriptors of both sides, or of some thousand of them.
   PrincipalBasis(const DescriptorRows& source, const std::vector<std::int32_t>& source_rows,
                  const DescriptorRows& target, const std::vector<std::int32_t>& target_rows);
 };
@@ -29,7 +29,7 @@ class PrincipalBlocks {
 
   std::size_t size() const { return blocks_; }
   std::size_t padded() const { return blocks_ * kDescriptorBlock; }
-  /// Of each place, the position in `rows`; -1 after the last.
+  /// Returns the position in `rows` for each place; -1 after the last.
   const std::vector<std::int32_t>& order() const { return order_; }
   PrincipalBlock block(std::size_t b) const;
   /// Returns the squared distance between the boxes of two blocks.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 #include "priors/make_prior.h"
+#include "refinement/unconstrained_motion.h"
 #include "settings/choices.h"
 #include "util/stopwatch.h"
 
@@ -31,14 +33,18 @@ Starts starts(const Problem& problem, const std::vector<Rigid>& shortlist) {
   return {guess(problem), {shortlist.begin(), shortlist.begin() + count}};
 }
 
-void take_best_candidate(const Problem& problem, Solution& found) {
-  const std::vector<Candidate>& ranked = found.candidates->ranked();
-  found.pose = ranked.front().pose;
+void believe(const Problem& problem, const std::vector<Candidate>& ranked, Solution& found) {
   found.confidence = estimate_confidence(ranked, problem.downsampled.source_dense.size(),
                                          problem.downsampled.target_dense.size());
   if (problem.pair.extruded)
     found.confidence->probability =
         lower_outline_confidence(found.confidence->probability, ranked.front().score);
+}
+
+void take_best_candidate(const Problem& problem, Solution& found) {
+  const std::vector<Candidate>& ranked = found.candidates->ranked();
+  found.pose = ranked.front().pose;
+  believe(problem, ranked, found);
 }
 
 /// Makes the fine surfaces when first asked for.
@@ -109,6 +115,21 @@ void refine_pose(const Problem& problem, Solution& found) {
   found.refined = refine(fine(problem, found), *found.pose, problem.settings, problem.kernels,
                          problem.prior.get());
   found.pose = found.refined.pose;
+}
+
+void believe_but_for_unconstrained(const Problem& problem, Solution& found) {
+  const Refined& refined = found.refined;
+  const HessianSpectrum& spectrum = refined.hessian_spectrum;
+  if (!found.confidence || !refined.succeeded || spectrum.unconstrained == 0) return;
+  if (refined.unconstrained < spectrum.unconstrained) return;  // a prior tells the poses apart
+  const std::vector<Candidate>& ranked = found.candidates->ranked();
+  const Rigid best = ranked.front().pose;
+  std::vector<Candidate> others{ranked.front()};
+  std::copy_if(ranked.begin() + 1, ranked.end(), std::back_inserter(others),
+               [&](const Candidate& candidate) {
+                 return !is_same_but_unconstrained(candidate.pose, best, spectrum);
+               });
+  believe(problem, others, found);
 }
 
 void measure_overlap(const Problem& problem, Solution& found) {

@@ -30,6 +30,10 @@ void search_again(const Problem& problem, Solution& found);
 /// Refines the best pose on the fine clouds.
 void refine_pose(const Problem& problem, Solution& found);
 
+/// Where the surfaces leave directions unconstrained, estimates the confidence that the pose is
+/// right but for a motion along these.
+void believe_but_for_unconstrained(const Problem& problem, Solution& found);
+
 /// Measures on the fine clouds how much of each cloud lies on the other, and lowers the confidence
 /// where the refined surfaces do not lie flush.
 void measure_overlap(const Problem& problem, Solution& found);

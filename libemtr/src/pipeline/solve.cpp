@@ -32,6 +32,7 @@ void run_stages(const Problem& problem, Progress& progress, Solution& found) {
   if (problem.settings.refine) {
     progress.enter(Stage::Refinement);
     refine_pose(problem, found);
+    believe_but_for_unconstrained(problem, found);
   }
 
   progress.enter(Stage::Verdict);

@@ -130,7 +130,7 @@ const std::vector<Setting>& setting_table() {
               "points in front of what the other scan saw count against a pose", ""),
       SETTING(fallback_search, Choice, "", EMTR_OFF, EMTR_ALWAYS, EMTR_AUTO, "fallback search",
               "search again with more feature points and both signs of the normals", kWhen),
-      SETTING(fallback_confidence, Real, "", 0, 1, 0.9, "fallback search",
+      SETTING(fallback_confidence, Real, "", 0, 1, 0.97, "fallback search",
               "with auto: search again below this confidence", ""),
       SETTING(fallback_points, Integer, "points", 100, 1e6, 24000, "fallback search",
               "points of both feature clouds together", ""),

@@ -15,7 +15,7 @@ constexpr std::size_t kFewMatches = 10;
 constexpr double kMeaningfulScore = 0.03, kRivalShare = 0.8;
 // Scans from one place lie on each other by their pattern of points alone.
 constexpr double kRivalShareFromOnePlace = 0.3;
-constexpr double kRivalFactor = 0.4;
+constexpr double kRivalFactor = 0.25, kFewPointsFactor = 0.4, kChangedFactor = 0.1;
 // How much better a changed source must fit: a scene that is its own mirror image fits as well.
 constexpr double kBetterShare = 1.15, kBetterBy = 0.02;
 constexpr double kFewPoints = 60;  // that lie on the other cloud; fewer fit on any plane
@@ -23,7 +23,7 @@ constexpr double kFewPoints = 60;  // that lie on the other cloud; fewer fit on 
 // A logistic model of "within 5 degrees and 0.06 radii", by tools/bench/fit_confidence: fitted to
 // registrations of real pairs, to what remained when their right candidates were taken away, and to
 // scans that do not belong together.
-constexpr double kBias = 0.15, kGapWeight = 1.78, kViolationWeight = -5.8, kEvidenceWeight = 1.2;
+constexpr double kBias = -2.2, kGapWeight = 2.33, kViolationWeight = -16.9, kEvidenceWeight = 2.02;
 // Right poses of the noisiest scans lie up to here; wrong ones that score well are beyond it as
 // often as not, and then by 0.1 to 0.5.
 constexpr double kFlushMismatch = 0.7, kMismatchWeight = 20;
@@ -70,7 +70,7 @@ Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t
   double probability = 1 / (1 + std::exp(-log_odds(best, out.score_gap, out.evidence)));
   // What the model has not seen: a second answer as good, and next to no points to judge by.
   if (has_rival(best, out.alternatives)) probability *= kRivalFactor;
-  if (out.evidence < kFewPoints) probability *= kRivalFactor * out.evidence / kFewPoints;
+  if (out.evidence < kFewPoints) probability *= kFewPointsFactor * out.evidence / kFewPoints;
   out.probability = rounded(probability);
   return out;
 }
@@ -81,7 +81,7 @@ void weigh_changed_source(const Candidate& best, double mirrored, const Rescaled
   confidence.mirrored = better(mirrored);
   if (rescaled.factor != 1 && better(rescaled.score)) confidence.scale_factor = rescaled.factor;
   if (confidence.mirrored || confidence.scale_factor != 1)
-    confidence.probability = rounded(kRivalFactor * confidence.probability);
+    confidence.probability = rounded(kChangedFactor * confidence.probability);
 }
 
 double lower_confidence(double probability, double surface_mismatch) {

@@ -17,6 +17,8 @@ from .samples import Sample
 
 #: Next to none: the terms are few and the samples many.
 _INVERSE_REGULARIZATION = 1e4
+#: Of an answer that takes the place of a right one: searches lose right poses less often than that.
+_WEIGHT_OF_REMOVED = 0.5
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,8 @@ def fit(samples: Sequence[Sample], minimum: float, bins: int) -> Fitted:
     features = np.array([sample.features for sample in samples])
     right = np.array([sample.right for sample in samples])
     sources = np.array([sample.source for sample in samples])
-    weight = balance(sources)
+    removed = np.array([sample.removed for sample in samples])
+    weight = balance(sources) * np.where(removed, _WEIGHT_OF_REMOVED, 1.0)
     made = _model().fit(features, right, sample_weight=weight)
     figures = None
     if len(set(sources)) > 1:

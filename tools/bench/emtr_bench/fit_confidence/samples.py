@@ -14,16 +14,20 @@ from ..pairs import DataError
 #: The terms of the model, in the order of Sample.features.
 TERMS = ("log_gap", "violation", "log_evidence")
 
-_MINIMUM = 1e-3  # of a score, fit or gap, as in the library
+# As in the library: of a score, fit or gap; and what makes another pose a rival.
+_MINIMUM = 1e-3
+_MEANINGFUL_SCORE, _RIVAL_SHARE = 0.03, 0.8
 
 
 @dataclass(frozen=True)
 class Sample:
-    """One answer. `source`: where its pair comes from, which is left out as a whole."""
+    """One answer. `source`: where its pair comes from, which is left out as a whole. `removed`: it
+    would have been the answer if the right poses had not been found."""
 
     source: str
     features: tuple[float, ...]
     right: bool
+    removed: bool = False
 
 
 @dataclass(frozen=True)
@@ -62,12 +66,23 @@ def poses(run: dict[str, Any], right: bool) -> list[Pose]:
 
 
 def samples(source: str, ranked: Sequence[Pose]) -> list[Sample]:
-    """The answer, and what would have been it if the right poses had not been found."""
-    found = [Sample(source, features(ranked), ranked[0].right)]
+    """The answer, and what would have been it if the right poses had not been found. Without those
+    that have a rival, which a rule of the library judges."""
     wrong = [pose for pose in ranked if not pose.right]
+    lists = [(ranked, False)]
     if wrong and len(wrong) < len(ranked):
-        found.append(Sample(source, features(wrong), False))
-    return found
+        lists.append((wrong, True))
+    return [
+        Sample(source, features(poses), poses[0].right, removed)
+        for poses, removed in lists
+        if not rival(poses)
+    ]
+
+
+def rival(ranked: Sequence[Pose]) -> bool:
+    """Tells whether the second of the poses is about as good as the first."""
+    best = ranked[0].score
+    return len(ranked) > 1 and ranked[1].score > max(_MEANINGFUL_SCORE, _RIVAL_SHARE * best)
 
 
 def features(ranked: Sequence[Pose]) -> tuple[float, ...]:

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "geometry/rigid.h"
+#include "refinement/hessian_spectrum.h"
+
+namespace emtr {
+
+/// Tells whether two poses are one answer but for a motion along the unconstrained directions, as
+/// large as it may be: a cylinder is the same after any rotation about its axis. `a`, `b`: from the
+/// source into the target's normalized frame.
+bool is_same_but_unconstrained(const Rigid& a, const Rigid& b, const HessianSpectrum& spectrum);
+
+}  // namespace emtr
