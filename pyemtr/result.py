@@ -79,6 +79,14 @@ class Result:
         used_fallback_search: True when the search was repeated with more feature points.
         refined: True when the pose was refined on fine clouds.
         alternatives: list of :class:`pyemtr.Alternative`, best first, at most 10.
+        symmetry: a motion after which the clouds fit about as well: "none", "rotational" (by
+            360 / n degrees), "continuous" (by any angle), "translational"; "unknown" without
+            candidates.
+        symmetry_order: n of a rotational symmetry, else 0.
+        symmetry_axis: float64 (3,), of unit length in the target's axes: the axis of the rotations
+            or the direction of the translations; NaN where there is no symmetry.
+        symmetry_period: length of the shortest translation, the user's unit; 0 where any length is
+            one, NaN unless translational.
         information: float64 (6, 6), inverse covariance of the pose for a small rotation w
             (radians) followed by a translation v (the user's unit) about ``center_target`` c:
             q = exp(w) (R p + t - c) + c + v. NaN when not refined, like the next two.
@@ -143,6 +151,10 @@ class Result:
     used_fallback_search: bool
     refined: bool
     alternatives: list[Alternative]
+    symmetry: str
+    symmetry_order: int
+    symmetry_axis: Floats
+    symmetry_period: float
     information: Floats
     hessian_eigenvalues: Floats
     hessian_eigenvectors: Floats

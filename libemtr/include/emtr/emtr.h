@@ -450,6 +450,15 @@ typedef struct emtr_result {
 
   size_t strays_source; /* finite points far outside of all the others, which were left out */
   size_t strays_target;
+
+  /* A motion of what both clouds show together, after which they fit about as well: "none";
+   * "rotational" (by 360 / symmetry_order degrees about symmetry_axis), "continuous" (by any angle
+   * about it), "translational" (by symmetry_period along it). "unknown" without candidates, and if
+   * the run was stopped before they were ranked */
+  const char* symmetry;
+  int32_t symmetry_order;  /* 0 unless rotational */
+  double symmetry_axis[3]; /* in the target's axes, unit length; NaN where there is no symmetry */
+  double symmetry_period;  /* user's unit; 0 where any length is one; NaN unless translational */
 } emtr_result;
 
 /* Registers the source to the target.

@@ -56,7 +56,12 @@ void CandidateSearch::run_fallback_search() {
 void CandidateSearch::add_rivals(CandidateSet& candidates) const {
   const std::vector<Rigid> rivals =
       admissible(rotated_rivals(surfaces_, candidates.ranked().front().pose), prior_);
-  ThreadTeam::with(threads_, [&](ThreadTeam& team) { candidates.add(rivals, team); });
+  ThreadTeam::with(threads_, [&](ThreadTeam& team) {
+    candidates.add(rivals, team);
+    candidates.add(
+        admissible(translated_rivals(surfaces_, candidates.ranked().front().pose, team), prior_),
+        team);
+  });
 }
 
 std::optional<Viewpoint> CandidateSearch::orientation(const Surface& surface,

@@ -23,7 +23,7 @@ class CandidateSearch {
   std::vector<Rigid> shortlist(const std::vector<Seed>& seeds) const;
 
   /// Adds poses as they are, the best of `many`, and the rivals of the best of all: see
-  /// rotated_rivals(). A verdict may only be sure once they have been looked at.
+  /// candidates/rivals. A verdict may only be sure once they have been looked at.
   void add(const std::vector<Rigid>& poses, const std::vector<Rigid>& many);
 
   /// Searches again with more keypoints and normals that face the sensors.

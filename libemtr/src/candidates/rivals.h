@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "candidates/surface_pair.h"
 #include "geometry/rigid.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 
@@ -12,5 +14,14 @@ namespace emtr {
 /// about the normal that most of them share, through their centroid and through the middle of their
 /// box. Not refined, and no two of them the same.
 std::vector<Rigid> rotated_rivals(const SurfacePair& surfaces, const Rigid& best);
+
+/// Returns the poses that a scene with a period would fit nearly as well: `best`, moved along the
+/// same axes to where a few points fit best, up to kFarthestShift either way. At most kMostShifted,
+/// the best first; not refined.
+std::vector<Rigid> translated_rivals(const SurfacePair& surfaces, const Rigid& best,
+                                     ThreadTeam& team);
+
+constexpr double kFarthestShift = 1.2;  ///< radii
+constexpr std::size_t kMostShifted = 6;
 
 }  // namespace emtr

@@ -20,6 +20,9 @@ void fill_unknown(emtr_result& r) {
   r.leaf_fine = kUnknown;
   r.confidence = r.score = r.surface_fit = r.violation = r.score_gap = kUnknown;
   r.surface_near = r.evidence = r.scale_factor = kUnknown;
+  r.symmetry = "unknown";
+  std::fill_n(r.symmetry_axis, 3, kUnknown);
+  r.symmetry_period = kUnknown;
 }
 
 void fill_problem(const Problem& problem, emtr_result& r) {
@@ -151,6 +154,13 @@ void fill_refinement(const Refined& refined, double scale, emtr_result& r) {
   }
 }
 
+void fill_symmetry(const Symmetry& symmetry, double scale, emtr_result& r) {
+  r.symmetry = name_of(symmetry.kind);
+  r.symmetry_order = symmetry.order;
+  for (int i = 0; i < 3; ++i) r.symmetry_axis[i] = symmetry.axis[i];
+  r.symmetry_period = symmetry.period * scale;
+}
+
 void fill_overlap(const Overlap& overlap, double leaf, double scale, emtr_result& r) {
   r.leaf_fine = leaf;
   r.overlap_source = overlap.overlap_source;
@@ -184,6 +194,7 @@ std::unique_ptr<Result> make_result(const Problem& problem, const Solution& foun
   if (found.verdict) fill_verdict(*found.verdict, *result);
   if (found.candidates && !found.candidates->ranked().empty())
     fill_candidates(problem, found, *result);
+  if (found.symmetry) fill_symmetry(*found.symmetry, normalization.scale, *result);
   if (found.match_verdict) fill_matches(problem, found, *result);
   if (found.refined.succeeded) fill_refinement(found.refined, normalization.scale, *result);
   if (found.overlap) fill_overlap(*found.overlap, found.fine->leaf(), normalization.scale, *result);

@@ -122,6 +122,17 @@ const std::vector<emtr_result_field_info>& result_table() {
     ROW(alternatives, Alternative, 1, offsetof(emtr_result, alternative_count), "", "alternatives",
         "", "clearly different poses, best first, at most 10"),
 
+    FIELD(symmetry, Text, "symmetry", "",
+          "motion after which the clouds fit about as well: none, rotational, continuous, "
+          "translational; unknown without candidates"),
+    FIELD(symmetry_order, Integer, "symmetry", "",
+          "n of rotations by 360 / n degrees about the axis; 0 unless rotational"),
+    FIELD(symmetry_axis, Real, "symmetry", "",
+          "axis of the rotations or direction of the translations, in the target's axes, unit "
+          "length; NaN where there is no symmetry"),
+    FIELD(symmetry_period, Real, "symmetry", "user's unit",
+          "length of the shortest translation; 0 where any is one, NaN unless translational"),
+
     MATRIX(information, 6, "refinement", "",
            "inverse covariance of a small rotation (radians) and then a translation (user's "
            "unit) about center_target; NaN when not refined"),

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 
+#include "geometry/pose_distance.h"
 #include "priors/make_prior.h"
 #include "refinement/unconstrained_motion.h"
 #include "settings/choices.h"
@@ -45,6 +45,19 @@ void take_best_candidate(const Problem& problem, Solution& found) {
   const std::vector<Candidate>& ranked = found.candidates->ranked();
   found.pose = ranked.front().pose;
   believe(problem, ranked, found);
+}
+
+/// Tells whether the surfaces fit worse on the way between two candidates, although they leave its
+/// direction unconstrained at its end: the windows of a facade that shows nothing of their depth.
+bool is_apart(const SurfacePair& surfaces, const Candidate& a, const Candidate& b,
+              const HessianSpectrum& spectrum) {
+  Ranking::Scratch scratch;
+  // If there are several periods between the two, some of these are not at a whole one.
+  for (const double fraction : {0.5, 0.25, 0.125, 0.375}) {
+    const Rigid pose = between(a.pose, b.pose, spectrum, fraction);
+    if (!is_rival_score(surfaces.ranking().evaluate(pose, scratch).score, b.score)) return true;
+  }
+  return false;
 }
 
 /// Makes the fine surfaces when first asked for.
@@ -102,8 +115,17 @@ void rank_candidates(const Problem& problem, Solution& found) {
 
 bool needs_fallback_search(const Problem& problem, const Solution& found) {
   const Settings& settings = problem.settings;
-  return found.confidence && in_use(settings.fallback_search,
-                                    found.confidence->probability < settings.fallback_confidence);
+  if (!found.confidence) return false;
+  const bool doubtful = found.confidence->probability < settings.fallback_confidence ||
+                        is_mostly_plane(found.candidates->ranked().front());
+  return in_use(settings.fallback_search, doubtful);
+}
+
+bool needs_second_look(const Problem& problem, const Solution& found) {
+  if (!found.confidence || found.candidates->used_fallback_search()) return false;
+  const bool strange = found.refined.unconstrained > 0 || found.confidence->mirrored ||
+                       found.confidence->scale_factor != 1;
+  return in_use(problem.settings.fallback_search, found.refined.succeeded && strange);
 }
 
 void search_again(const Problem& problem, Solution& found) {
@@ -120,16 +142,29 @@ void refine_pose(const Problem& problem, Solution& found) {
 void believe_but_for_unconstrained(const Problem& problem, Solution& found) {
   const Refined& refined = found.refined;
   const HessianSpectrum& spectrum = refined.hessian_spectrum;
+  found.slides = false;
   if (!found.confidence || !refined.succeeded || spectrum.unconstrained == 0) return;
   if (refined.unconstrained < spectrum.unconstrained) return;  // a prior tells the poses apart
   const std::vector<Candidate>& ranked = found.candidates->ranked();
-  const Rigid best = ranked.front().pose;
-  std::vector<Candidate> others{ranked.front()};
-  std::copy_if(ranked.begin() + 1, ranked.end(), std::back_inserter(others),
-               [&](const Candidate& candidate) {
-                 return !is_same_but_unconstrained(candidate.pose, best, spectrum);
-               });
+  const Candidate& best = ranked.front();
+  std::vector<Candidate> others{best};
+  for (auto candidate = ranked.begin() + 1; candidate != ranked.end(); ++candidate) {
+    const bool same = is_same_but_unconstrained(candidate->pose, best.pose, spectrum);
+    if (same && is_rival_score(candidate->score, best.score) &&
+        !is_same_pose(candidate->pose, best.pose, kDistinctPose) &&
+        is_apart(*problem.surfaces, *candidate, best, spectrum))
+      return;
+    if (!same) others.push_back(*candidate);
+  }
+  found.slides = true;
   believe(problem, others, found);
+}
+
+void recognize_symmetry(Solution& found) {
+  if (found.confidence)
+    found.symmetry =
+        find_symmetry(found.candidates->ranked().front(), found.confidence->alternatives,
+                      found.slides ? &found.refined.hessian_spectrum : nullptr);
 }
 
 void measure_overlap(const Problem& problem, Solution& found) {

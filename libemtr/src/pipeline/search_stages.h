@@ -24,6 +24,10 @@ void rank_candidates(const Problem& problem, Solution& found);
 /// Tells whether the settings ask for a second search, given how sure the first one is.
 bool needs_fallback_search(const Problem& problem, const Solution& found);
 
+/// Tells whether the pose is one that surfaces seldom have and wrong poses often: degenerate, or
+/// better mirrored or scaled. Then a search with fewer points may have missed the right one.
+bool needs_second_look(const Problem& problem, const Solution& found);
+
 /// Searches again with more feature points, and ranks all candidates anew.
 void search_again(const Problem& problem, Solution& found);
 
@@ -33,6 +37,9 @@ void refine_pose(const Problem& problem, Solution& found);
 /// Where the surfaces leave directions unconstrained, estimates the confidence that the pose is
 /// right but for a motion along these.
 void believe_but_for_unconstrained(const Problem& problem, Solution& found);
+
+/// Finds the self-symmetry of the clouds, by the candidates and the refined surfaces.
+void recognize_symmetry(Solution& found);
 
 /// Measures on the fine clouds how much of each cloud lies on the other, and lowers the confidence
 /// where the refined surfaces do not lie flush.

@@ -12,6 +12,7 @@
 #include "verdict/confidence.h"
 #include "verdict/match_verdict.h"
 #include "verdict/overlap.h"
+#include "verdict/symmetry.h"
 #include "verdict/verdict.h"
 
 namespace emtr {
@@ -26,6 +27,8 @@ struct Solution {
   std::optional<Confidence> confidence;  ///< empty until all candidates are ranked
   std::unique_ptr<FineSurfaces> fine;    ///< null until a stage needs them
   Refined refined;
+  bool slides = false;  ///< the pose may move along its unconstrained directions, however far
+  std::optional<Symmetry> symmetry;  ///< empty until all candidates are ranked
   std::optional<Overlap> overlap;
   std::optional<Verdict> verdict;             ///< empty when no pose is known
   std::optional<MatchVerdict> match_verdict;  ///< where the matches decide

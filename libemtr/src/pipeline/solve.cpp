@@ -7,6 +7,20 @@
 namespace emtr {
 namespace {
 
+/// Refines the pose and judges it.
+void conclude(const Problem& problem, Progress& progress, Solution& found) {
+  if (problem.settings.refine) {
+    progress.enter(Stage::Refinement);
+    refine_pose(problem, found);
+    believe_but_for_unconstrained(problem, found);
+  }
+
+  progress.enter(Stage::Verdict);
+  recognize_symmetry(found);
+  measure_overlap(problem, found);
+  weigh_changed_source(problem, found);
+}
+
 /// Runs the stages of the search; Cancelled leaves what they have found by then.
 void run_stages(const Problem& problem, Progress& progress, Solution& found) {
   if (problem.matches_decide) {
@@ -29,15 +43,12 @@ void run_stages(const Problem& problem, Progress& progress, Solution& found) {
     search_again(problem, found);
   }
 
-  if (problem.settings.refine) {
-    progress.enter(Stage::Refinement);
-    refine_pose(problem, found);
-    believe_but_for_unconstrained(problem, found);
+  conclude(problem, progress, found);
+  if (needs_second_look(problem, found)) {
+    progress.enter(Stage::FallbackSearch);
+    search_again(problem, found);
+    conclude(problem, progress, found);
   }
-
-  progress.enter(Stage::Verdict);
-  measure_overlap(problem, found);
-  weigh_changed_source(problem, found);
 }
 
 void search(const Problem& problem, CancellationToken& token, Solution& found) {

@@ -10,4 +10,8 @@ namespace emtr {
 /// source into the target's normalized frame.
 bool is_same_but_unconstrained(const Rigid& a, const Rigid& b, const HessianSpectrum& spectrum);
 
+/// Returns the pose on the screw motion from b to a, about the spectrum's center, at this fraction
+/// of the way.
+Rigid between(const Rigid& a, const Rigid& b, const HessianSpectrum& spectrum, double fraction);
+
 }  // namespace emtr

@@ -12,12 +12,14 @@ constexpr std::size_t kMaximumAlternatives = 10;
 constexpr std::size_t kFewMatches = 10;
 // Scores below the first are reached by poses that mean nothing; another pose above it with this
 // share of the best score is another answer, a rival.
-constexpr double kMeaningfulScore = 0.03, kRivalShare = 0.8;
+constexpr double kMeaningfulScore = 0.03, kRivalShare = 0.75;
 // Scans from one place lie on each other by their pattern of points alone.
 constexpr double kRivalShareFromOnePlace = 0.3;
 constexpr double kRivalFactor = 0.25, kFewPointsFactor = 0.4, kChangedFactor = 0.1;
 // How much better a changed source must fit: a scene that is its own mirror image fits as well.
 constexpr double kBetterShare = 1.15, kBetterBy = 0.02;
+// Of right poses 95 of 100 have more of the weight than this share of the points.
+constexpr double kDistinctiveShare = 0.4;
 constexpr double kFewPoints = 60;  // that lie on the other cloud; fewer fit on any plane
 
 // A logistic model of "within 5 degrees and 0.06 radii", by tools/bench/fit_confidence: fitted to
@@ -51,6 +53,15 @@ bool has_rival(const Candidate& best, const std::vector<Candidate>& alternatives
 }
 
 }  // namespace
+
+bool is_rival_score(double score, double best) {
+  return score > std::max(kMeaningfulScore, kRivalShare * best);
+}
+
+bool is_mostly_plane(const Candidate& candidate) {
+  const double inliers = (candidate.fit.inliers_source + candidate.fit.inliers_target) / 2;
+  return candidate.fit.score < kDistinctiveShare * inliers;
+}
 
 double evidence(const Candidate& candidate, std::size_t source, std::size_t target) {
   return std::min(candidate.fit.inliers_source * static_cast<double>(source),

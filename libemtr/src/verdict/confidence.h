@@ -16,9 +16,16 @@ struct Confidence {
   std::vector<Candidate> alternatives;  ///< clearly different from it and from each other
 };
 
+/// Tells whether what lies on the other cloud is mostly what lies there in many poses, planes: then
+/// a better pose may not have been found. It is so of few right poses.
+bool is_mostly_plane(const Candidate& candidate);
+
 /// Returns how many points of the poorer cloud lie on the other. `source`, `target`: numbers of
 /// points of the surfaces.
 double evidence(const Candidate& candidate, std::size_t source, std::size_t target);
+
+/// Tells whether a candidate of this score is another answer beside the best.
+bool is_rival_score(double score, double best);
 
 /// Estimates the confidence in the best candidate. `ranked`: candidates, best first, not empty.
 /// `source`, `target`: numbers of points of the surfaces.

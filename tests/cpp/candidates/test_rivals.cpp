@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "candidates/rivals.h"
 #include "candidates/scene.h"
@@ -72,6 +73,41 @@ TEST(Rivals, MoveWithTheScene) {
     EXPECT_TRUE(std::any_of(moved.begin(), moved.end(), [&](const Rigid& other) {
       return is_same_pose(other, M * rotation, {0.05, 0.03});
     }));
+}
+
+/// A wall along x with pillars of 0.1 before it, every 0.4.
+Surface colonnade(double phase) {
+  Surface out;
+  out.leaf = 0.03;
+  for (double z = -0.3; z < 0.3; z += 0.03)
+    for (double x = -1 + 0.03 * phase; x < 1; x += 0.03) {
+      const double place = x + 1 - 0.4 * std::floor((x + 1) / 0.4);
+      emtr_test::push(out, {x, place < 0.1 ? -0.1 : 0.0, z}, {0, 1, 0});
+      if (place < 0.1) {
+        emtr_test::push(out, {x - place, -0.1 * (z + 0.3) / 0.6, z}, {1, 0, 0});
+        emtr_test::push(out, {x - place + 0.1, -0.1 * (z + 0.3) / 0.6, z}, {1, 0, 0});
+      }
+    }
+  return out;
+}
+
+TEST(Rivals, AreTheTranslationsOfAColonnadeByItsPeriod) {
+  const SurfacePair surfaces(colonnade(0), colonnade(0.4), {}, {}, emtr::select_kernels());
+  emtr::ThreadTeam::with(2, [&](emtr::ThreadTeam& team) {
+    const std::vector<Rigid> rivals = emtr::translated_rivals(surfaces, Rigid{}, team);
+    EXPECT_LE(rivals.size(), emtr::kMostShifted);
+    EXPECT_TRUE(std::any_of(rivals.begin(), rivals.end(), [&](const Rigid& rival) {
+      return (rival.t - Vector3d(std::copysign(0.4, rival.t.x()), 0, 0)).norm() < 0.05;
+    }));
+  });
+}
+
+TEST(Rivals, WithoutAPeriodNoTranslationIsOne) {
+  const emtr_test::Scene scene(32);
+  const SurfacePair surfaces(scene.source, scene.target, {}, {}, emtr::select_kernels());
+  emtr::ThreadTeam::with(1, [&](emtr::ThreadTeam& team) {
+    EXPECT_LE(emtr::translated_rivals(surfaces, scene.truth, team).size(), 1u);
+  });
 }
 
 }  // namespace

@@ -38,6 +38,22 @@ TEST(UnconstrainedMotion, OfASphereIsAnyRotationAboutItsCenter) {
   EXPECT_FALSE(emtr::is_same_but_unconstrained(motion({40, 0, 0}, {0.2, 0, 0}), Rigid(), s));
 }
 
+TEST(UnconstrainedMotion, LeadsFromOnePoseToTheOther) {
+  const HessianSpectrum s = spectrum_of(emtr_test::cylinder);
+  const Rigid b = motion({20, 30, 40}, {0.1, 0.2, 0.3});
+  const Rigid a = motion({0, 0, 120}, {0, 0, 0.6}) * b;
+  const auto distance = [](const Rigid& x, const Rigid& y) {
+    return (x.R - y.R).norm() + (x.t - y.t).norm();
+  };
+  EXPECT_LT(distance(emtr::between(a, b, s, 0), b), 1e-9);
+  EXPECT_LT(distance(emtr::between(a, b, s, 1), a), 1e-9);
+  const Rigid half = emtr::between(a, b, s, 0.5);
+  EXPECT_LT((half.R - motion({0, 0, 60}, {0, 0, 0}).R * b.R).norm(), 1e-9);
+  EXPECT_TRUE(emtr::is_same_but_unconstrained(half, b, s));
+  const Rigid slid = motion({0, 0, 0}, {0, 0, 0.5}) * b;
+  EXPECT_LT(distance(emtr::between(slid, b, s, 0.5), motion({0, 0, 0}, {0, 0, 0.25}) * b), 1e-9);
+}
+
 TEST(UnconstrainedMotion, OfACubeIsNone) {
   const HessianSpectrum s = spectrum_of(emtr_test::cube);
   EXPECT_TRUE(emtr::is_same_but_unconstrained(motion({4, 0, 0}, {0.1, 0, 0}), Rigid(), s));

@@ -16,7 +16,7 @@ TERMS = ("log_gap", "violation", "log_evidence")
 
 # As in the library: of a score, fit or gap; and what makes another pose a rival.
 _MINIMUM = 1e-3
-_MEANINGFUL_SCORE, _RIVAL_SHARE = 0.03, 0.8
+_MEANINGFUL_SCORE, _RIVAL_SHARE = 0.03, 0.75
 
 
 @dataclass(frozen=True)
