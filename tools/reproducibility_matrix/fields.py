@@ -43,8 +43,7 @@ def of_result(result: Any, residuals: Any) -> Fields:
     values |= {name: _flat(getattr(result, name)) for name in LISTS[:3]}
     values["history_alpha"] = _flat(result.history["alpha"])
     values["history_beta"] = _flat(result.history["beta"])
-    others = [(other.transformation, other.score) for other in result.alternatives]
-    values["alternatives"] = [v for T, score in others for v in [*_flat(T), score]]
+    values["alternatives"] = [v for T, *of in result.alternatives for v in [*_flat(T), *of]]
     values |= {name: _flat(getattr(result, name)) for name in LISTS[6:9]}
     queries = result.queries
     values["queries"] = [queries["evaluation"], queries["switch"], queries["complement"]]
@@ -64,8 +63,12 @@ def of_report(report: Mapping[str, Any], residuals: Any) -> Fields:
         report["history"]["alpha"],
         report["history"]["beta"],
     )
-    others = [(other["transformation"], other["score"]) for other in report["alternatives"]]
-    values["alternatives"] = [v for T, score in others for v in [*_flat(T), score]]
+    parts = ("score", "surface_fit", "violation", "evidence")
+    values["alternatives"] = [
+        v
+        for other in report["alternatives"]
+        for v in [*_flat(other["transformation"]), *(other[part] for part in parts)]
+    ]
     for name, length in (
         ("information", 36),
         ("hessian_eigenvalues", 6),
