@@ -44,7 +44,7 @@ std::vector<Rigid> translated_rivals(const SurfacePair& surfaces, const Rigid& b
                                      ThreadTeam& team) {
   const std::vector<Vector3d> axes = scene_axes(surfaces, best).axes;
   const double step = kStep * std::max(surfaces.source().leaf, surfaces.target().leaf);
-  const auto steps = static_cast<int>(kFarthestShift / step);
+  const auto steps = static_cast<int>(kFarthestTranslation / step);
   const auto nearest = static_cast<int>(kDistinctPose.translation / step);
   const auto count = static_cast<std::size_t>(2 * steps + 1);
   const auto moved = [&](const Vector3d& axis, int k) {
@@ -72,7 +72,7 @@ std::vector<Rigid> translated_rivals(const SurfacePair& surfaces, const Rigid& b
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Rigid> out;
-  for (std::size_t i = 0; i < std::min(found.size(), kMostShifted); ++i)
+  for (std::size_t i = 0; i < std::min(found.size(), kMostTranslated); ++i)
     out.push_back(found[i].second);
   return out;
 }

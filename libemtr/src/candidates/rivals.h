@@ -16,12 +16,12 @@ namespace emtr {
 std::vector<Rigid> rotated_rivals(const SurfacePair& surfaces, const Rigid& best);
 
 /// Returns the poses that a scene with a period would fit nearly as well: `best`, moved along the
-/// same axes to where a few points fit best, up to kFarthestShift either way. At most kMostShifted,
-/// the best first; not refined.
+/// same axes to where a few points fit best, up to kFarthestTranslation either way. At most
+/// kMostTranslated, the best first; not refined.
 std::vector<Rigid> translated_rivals(const SurfacePair& surfaces, const Rigid& best,
                                      ThreadTeam& team);
 
-constexpr double kFarthestShift = 1.2;  ///< radii
-constexpr std::size_t kMostShifted = 6;
+constexpr double kFarthestTranslation = 1.2;  ///< radii
+constexpr std::size_t kMostTranslated = 6;
 
 }  // namespace emtr

@@ -142,7 +142,7 @@ void refine_pose(const Problem& problem, Solution& found) {
 void believe_but_for_unconstrained(const Problem& problem, Solution& found) {
   const Refined& refined = found.refined;
   const HessianSpectrum& spectrum = refined.hessian_spectrum;
-  found.slides = false;
+  found.moves_freely = false;
   if (!found.confidence || !refined.succeeded || spectrum.unconstrained == 0) return;
   if (refined.unconstrained < spectrum.unconstrained) return;  // a prior tells the poses apart
   const std::vector<Candidate>& ranked = found.candidates->ranked();
@@ -156,7 +156,7 @@ void believe_but_for_unconstrained(const Problem& problem, Solution& found) {
       return;
     if (!same) others.push_back(*candidate);
   }
-  found.slides = true;
+  found.moves_freely = true;
   believe(problem, others, found);
 }
 
@@ -164,7 +164,7 @@ void recognize_symmetry(Solution& found) {
   if (found.confidence)
     found.symmetry =
         find_symmetry(found.candidates->ranked().front(), found.confidence->alternatives,
-                      found.slides ? &found.refined.hessian_spectrum : nullptr);
+                      found.moves_freely ? &found.refined.hessian_spectrum : nullptr);
 }
 
 void measure_overlap(const Problem& problem, Solution& found) {

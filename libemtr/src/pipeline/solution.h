@@ -27,7 +27,7 @@ struct Solution {
   std::optional<Confidence> confidence;  ///< empty until all candidates are ranked
   std::unique_ptr<FineSurfaces> fine;    ///< null until a stage needs them
   Refined refined;
-  bool slides = false;  ///< the pose may move along its unconstrained directions, however far
+  bool moves_freely = false;  ///< the pose may move along its unconstrained directions, however far
   std::optional<Symmetry> symmetry;  ///< empty until all candidates are ranked
   std::optional<Overlap> overlap;
   std::optional<Verdict> verdict;             ///< empty when no pose is known

@@ -18,7 +18,7 @@ constexpr double kRivalShareFromOnePlace = 0.3;
 constexpr double kRivalFactor = 0.25, kFewPointsFactor = 0.4, kChangedFactor = 0.1;
 // How much better a changed source must fit: a scene that is its own mirror image fits as well.
 constexpr double kBetterShare = 1.15, kBetterBy = 0.02;
-// Of right poses 95 of 100 have more of the weight than this share of the points.
+// 95 of 100 right poses have more of the weight than this share of the points.
 constexpr double kDistinctiveShare = 0.4;
 constexpr double kFewPoints = 60;  // that lie on the other cloud; fewer fit on any plane
 

@@ -84,7 +84,7 @@ Symmetry translational(const Vector3d& distance, const std::vector<Difference>& 
   return out;
 }
 
-/// Of a cylinder both kinds of motion are unconstrained: the rotation is what it is known for.
+/// Prefers the rotation where both kinds of motion are unconstrained, as those of a cylinder.
 Symmetry unconstrained(const HessianSpectrum& spectrum) {
   Eigen::MatrixXd rotations(3, spectrum.unconstrained), translations(3, spectrum.unconstrained);
   for (int k = 0; k < spectrum.unconstrained; ++k) {

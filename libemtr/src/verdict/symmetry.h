@@ -15,7 +15,8 @@ struct Symmetry {
   enum Kind { None, Rotational, Continuous, Translational };
   Kind kind = None;
   int order = 0;  ///< n: rotations by 360 / n degrees; 0 unless rotational
-  /// Of the rotations or translations, in the target's axes, unit length; NaN where there is none.
+  /// Direction of the rotations' axis or the translations, in the target's axes; NaN: there is
+  /// none.
   Eigen::Vector3d axis = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   /// Length of the shortest translation found, radii; 0 where any is one; NaN unless translational.
   double period = std::numeric_limits<double>::quiet_NaN();

@@ -95,7 +95,7 @@ TEST(Rivals, AreTheTranslationsOfAColonnadeByItsPeriod) {
   const SurfacePair surfaces(colonnade(0), colonnade(0.4), {}, {}, emtr::select_kernels());
   emtr::ThreadTeam::with(2, [&](emtr::ThreadTeam& team) {
     const std::vector<Rigid> rivals = emtr::translated_rivals(surfaces, Rigid{}, team);
-    EXPECT_LE(rivals.size(), emtr::kMostShifted);
+    EXPECT_LE(rivals.size(), emtr::kMostTranslated);
     EXPECT_TRUE(std::any_of(rivals.begin(), rivals.end(), [&](const Rigid& rival) {
       return (rival.t - Vector3d(std::copysign(0.4, rival.t.x()), 0, 0)).norm() < 0.05;
     }));
