@@ -46,7 +46,7 @@ std::vector<Rigid> translated_rivals(const SurfacePair& surfaces, const Rigid& b
   const double step = kStep * std::max(surfaces.source().leaf, surfaces.target().leaf);
   const auto steps = static_cast<int>(kFarthestTranslation / step);
   const auto nearest = static_cast<int>(kDistinctPose.translation / step);
-  const auto count = static_cast<std::size_t>(2 * steps + 1);
+  const std::size_t count = 2 * static_cast<std::size_t>(steps) + 1;
   const auto moved = [&](const Vector3d& axis, int k) {
     Rigid out = best;
     out.t += k * step * axis;

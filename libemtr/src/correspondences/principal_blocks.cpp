@@ -15,10 +15,12 @@ constexpr float kLargestNorm = 1e15f;  // whose square is finite
 void gather(const DescriptorRows& features, const std::vector<std::int32_t>& rows,
             std::vector<Eigen::VectorXd>& out) {
   const std::size_t step = 1 + rows.size() / kSample;
-  for (std::size_t i = 0; i < rows.size(); i += step)
-    out.push_back(Eigen::Map<const Eigen::VectorXf>(features.row(static_cast<std::size_t>(rows[i])),
-                                                    static_cast<Eigen::Index>(features.dimension))
-                      .cast<double>());
+  for (std::size_t i = 0; i < rows.size(); i += step) {
+    const Eigen::Map<const Eigen::VectorXf> descriptor(
+        features.row(static_cast<std::size_t>(rows[i])),
+        static_cast<Eigen::Index>(features.dimension));
+    out.emplace_back(descriptor.cast<double>());
+  }
 }
 
 }  // namespace
@@ -35,8 +37,10 @@ PrincipalBasis::PrincipalBasis(const DescriptorRows& source,
   for (const Eigen::VectorXd& d : sample) center += d;
   center /= static_cast<double>(sample.size());
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(dimension, dimension);
-  for (const Eigen::VectorXd& d : sample)
-    scatter.selfadjointView<Eigen::Lower>().rankUpdate(d - center);
+  for (Eigen::VectorXd& d : sample) {
+    d -= center;
+    scatter += d * d.transpose();
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scatter);
   constexpr auto kept = static_cast<Eigen::Index>(kPrincipal);
   mean = center.cast<float>();
