@@ -71,6 +71,7 @@ configure() {
 }
 
 # compile [option of cmake --build...]
+# shellcheck disable=SC2120 # tools/fuzz gives some
 compile() {
   step "Building with $(nproc) jobs" cmake --build "$BUILD" --parallel "$(nproc)" "$@"
 }
@@ -78,6 +79,7 @@ compile() {
 # build [cmake option...]
 build() {
   configure "$@"
+  # shellcheck disable=SC2119
   compile
 }
 
