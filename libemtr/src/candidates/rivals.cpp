@@ -6,6 +6,7 @@
 
 #include "candidates/scene_axes.h"
 #include "geometry/pose_distance.h"
+#include "geometry/rotation_vector.h"
 
 namespace emtr {
 namespace {
@@ -16,10 +17,8 @@ using Eigen::Vector3d;
 /// Returns the rotation by `quarters` times 90 degrees about an axis through a point.
 Rigid quarter_rotations(const Vector3d& axis, int quarters, const Vector3d& through) {
   constexpr double cosine[] = {1, 0, -1, 0}, sine[] = {0, 1, 0, -1};
-  Matrix3d cross;
-  cross << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
   Rigid out;
-  out.R = cosine[quarters] * Matrix3d::Identity() + sine[quarters] * cross +
+  out.R = cosine[quarters] * Matrix3d::Identity() + sine[quarters] * cross_matrix(axis) +
           (1 - cosine[quarters]) * axis * axis.transpose();
   out.t = through - out.rotate(through);
   return out;

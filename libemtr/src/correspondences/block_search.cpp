@@ -55,8 +55,7 @@ class BlockSearch {
   /// Returns what was found by position in the rows.
   NearestBothWays result() const {
     Nearest backward(columns_.padded(), forward_.k);
-    for (const Nearest& part : backward_)
-      if (part.n != 0) backward.merge(part);
+    backward.merge(backward_);
     return {by_position(forward_, rows_), by_position(backward, columns_)};
   }
 

@@ -59,6 +59,11 @@ bool Nearest::among_first(std::size_t count, std::size_t item, std::int32_t othe
   return false;
 }
 
+void Nearest::merge(const std::vector<Nearest>& by_thread) {
+  for (const Nearest& part : by_thread)
+    if (part.n != 0) merge(part);
+}
+
 void Nearest::merge(const Nearest& other) {
   std::vector<std::pair<float, std::int32_t>> both(2 * k);
   for (std::size_t i = 0; i < n; ++i) {
@@ -101,8 +106,7 @@ NearestBothWays compare_all_descriptors(const DescriptorRows& source,
           static_cast<std::int32_t>(first), columns.view(), out.forward.lists(first), mine.lists());
     });
   });
-  for (const Nearest& part : found)
-    if (part.n != 0) out.backward.merge(part);
+  out.backward.merge(found);
   return out;
 }
 

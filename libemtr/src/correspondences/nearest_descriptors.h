@@ -23,8 +23,11 @@ struct Nearest {
   }
   bool among_first(std::size_t count, std::size_t item, std::int32_t other) const;
   float farthest(std::size_t item) const { return squared[(k - 1) * n + item]; }
-  /// Merges the lists of another thread. Orders by distance and index, so that it does not matter
-  /// which thread found what.
+  /// Merges what each thread has found, if it has. Orders by distance and index, so that it does
+  /// not matter which thread found what.
+  void merge(const std::vector<Nearest>& by_thread);
+
+ private:
   void merge(const Nearest& other);
 };
 

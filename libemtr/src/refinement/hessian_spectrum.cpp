@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/rotation_vector.h"
+
 namespace emtr {
 
 HessianSpectrum hessian_spectrum(const NormalEquations& sums) {
@@ -43,7 +45,7 @@ int unconstrained_within(const HessianSpectrum& spectrum, const std::vector<Prio
   const Eigen::Vector3d c = Eigen::Vector3d::Map(spectrum.center) / spectrum.radius;
   Matrix motion = Matrix::Identity(6, 6);
   motion.topLeftCorner<3, 3>() /= spectrum.radius;
-  motion.bottomLeftCorner<3, 3>() << 0, -c.z(), c.y(), c.z(), 0, -c.x(), -c.y(), c.x(), 0;
+  motion.bottomLeftCorner<3, 3>() = cross_matrix(c);
   Matrix fixed(0, 6);
   for (const Prior::Limit& limit : limits) {
     if (!limit.equality) continue;

@@ -11,12 +11,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d cross_matrix(const Vector3d& w) {
-  Matrix3d out;
-  out << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-  return out;
-}
-
 /// A motion exp(w, v) about a point: v is the translation of the point on the way.
 struct Screw {
   Vector3d w, v;

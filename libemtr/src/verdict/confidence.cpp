@@ -46,16 +46,20 @@ double rounded(double probability) {
   return std::min(std::round(probability * 1e6) / 1e6, 0.999999);
 }
 
+bool is_another_answer(double score, double best, double share) {
+  return score > std::max(kMeaningfulScore, share * best);
+}
+
 bool has_rival(const Candidate& best, const std::vector<Candidate>& alternatives) {
   if (alternatives.empty()) return false;
   const double share = best.shares_pattern ? kRivalShareFromOnePlace : kRivalShare;
-  return alternatives.front().score > std::max(kMeaningfulScore, share * best.score);
+  return is_another_answer(alternatives.front().score, best.score, share);
 }
 
 }  // namespace
 
 bool is_rival_score(double score, double best) {
-  return score > std::max(kMeaningfulScore, kRivalShare * best);
+  return is_another_answer(score, best, kRivalShare);
 }
 
 bool is_mostly_plane(const Candidate& candidate) {

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from . import paper_tables
+from .pairs import DataError
 from .runner import Options, Outcome, Run
 from .summary import Figures, PairSummary
 from .unrelated import Unrelated
@@ -51,6 +52,17 @@ def record(
 def write(path: Path, value: dict[str, Any]) -> None:
     """Whole or not at all. What is NaN becomes null."""
     write_whole(path, json.dumps(_plain(value), indent=1, allow_nan=False) + "\n")
+
+
+def read(path: Path) -> dict[str, Any]:
+    """What `accuracy --json` wrote. Raises DataError, which names it, for what is no such file."""
+    try:
+        value = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise DataError(f"{path}: {error}") from error
+    if not isinstance(value, dict) or value.get("benchmark") != "accuracy":
+        raise DataError(f"{path}: not written by accuracy --json")
+    return value
 
 
 def _run(run: Run) -> dict[str, Any]:

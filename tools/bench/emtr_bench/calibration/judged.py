@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from .. import records
 from ..pairs import DataError
 
 
@@ -35,12 +35,7 @@ def read(paths: Iterable[Path]) -> dict[str, list[Judged]]:
 
 
 def _read(path: Path) -> tuple[str, list[Judged]]:
-    try:
-        value = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise DataError(f"{path}: {error}") from error
-    if not isinstance(value, dict) or value.get("benchmark") != "accuracy":
-        raise DataError(f"{path}: not written by accuracy --json")
+    value = records.read(path)
     related = [_judged(run, bool(run["joint"]), True) for run in _known(value["runs"])]
     unrelated = [_judged(run, False, False) for run in _known(value["unrelated"])]
     return str(value["options"]["preset"]), related + unrelated

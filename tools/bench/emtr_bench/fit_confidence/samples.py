@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from .. import records
 from ..pairs import DataError
 
 #: The terms of the model, in the order of Sample.features.
@@ -46,7 +46,7 @@ def read(paths: Iterable[Path], leave_out: Sequence[str] = ()) -> list[Sample]:
     for what is no such file, and when there are not both right and wrong answers."""
     found: list[Sample] = []
     for path in paths:
-        value = _load(path)
+        value = records.read(path)
         for run in value["runs"]:
             if run["pair"] not in leave_out and run.get("score") is not None:
                 found += samples(run["group"], poses(run, bool(run["joint"])))
@@ -99,13 +99,3 @@ def features(ranked: Sequence[Pose]) -> tuple[float, ...]:
 def _pose(values: dict[str, Any], right: bool) -> Pose:
     names = ("score", "surface_fit", "violation", "evidence")
     return Pose(*(float(values[name]) for name in names), right)
-
-
-def _load(path: Path) -> dict[str, Any]:
-    try:
-        value = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise DataError(f"{path}: {error}") from error
-    if not isinstance(value, dict) or value.get("benchmark") != "accuracy":
-        raise DataError(f"{path}: not written by accuracy --json")
-    return value
