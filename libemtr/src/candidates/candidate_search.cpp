@@ -1,6 +1,7 @@
 #include "candidates/candidate_search.h"
 
 #include "candidates/fallback_search.h"
+#include "candidates/plane_aligned_poses.h"
 #include "candidates/rivals.h"
 #include "ranking/visible_viewpoint.h"
 
@@ -47,6 +48,8 @@ void CandidateSearch::run_fallback_search() {
     candidates->add(
         candidates->shortlist(seeds, static_cast<std::size_t>(settings_.fallback_candidates), team),
         team);
+    // All of them: between two steps of rotation a quick score says too little.
+    candidates->add(admissible(plane_aligned_poses(surfaces_, team), prior_), team);
   });
   add_rivals(*candidates);
   candidates_ = std::move(candidates);  // now, and not in part when it is cancelled before

@@ -1,0 +1,72 @@
+#include "candidates/plane_aligned_poses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "candidates/dominant_planes.h"
+#include "candidates/translation_votes.h"
+#include "candidates/upright_points.h"
+#include "features/nearest_normals.h"
+#include "geometry/pose_distance.h"
+#include "util/constants.h"
+#include "voxels/voxel_grid.h"
+
+namespace emtr {
+namespace {
+
+constexpr std::size_t kPlanes = 2;  // of each cloud
+constexpr float kEvenLeaf = 0.03F;  // radii; clouds are denser near their sensor
+constexpr int kNeighbors = 16;      // that make a normal
+
+/// Returns the pose that rotates about the aligned normals and then moves along the planes.
+Rigid compose(const Upright& source, const Upright& target, int step, double x, double y) {
+  const double angle = step * kYawStep;
+  Rigid along;
+  along.R << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
+  along.t = {x, y, 0};
+  return target.to_plane.inverse() * along * source.to_plane;
+}
+
+std::vector<Rigid> align(const Upright& source, const Upright& target, ThreadTeam& team) {
+  const YawPairs pairs(source.points, target.points);
+  std::vector<std::vector<TranslationPeak>> peaks(kYaws);
+  team.parallel(kYaws, [&](std::size_t yaw, std::size_t) {
+    peaks[yaw] = vote_for_translations(source.points, target.points, pairs, static_cast<int>(yaw));
+  });
+  std::vector<TranslationPeak> all;
+  for (const auto& some : peaks) all.insert(all.end(), some.begin(), some.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.votes > b.votes; });
+  std::vector<Rigid> poses;
+  for (const TranslationPeak& peak : all)
+    poses.push_back(compose(source, target, peak.yaw, peak.x, peak.y));
+  return suppress_non_maxima(poses, kDuplicatePose, kMostPlaneAligned);
+}
+
+/// Returns the cloud with as many points everywhere: scans are denser near their sensor, and rings
+/// of a spinning one have no normals of their own at a finer scale.
+Surface make_even(const Cloud& cloud) {
+  const Cloud even = voxel_grid(cloud, kEvenLeaf);
+  return {even, nearest_normals(even, kNeighbors), kEvenLeaf};
+}
+
+}  // namespace
+
+std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, ThreadTeam& team) {
+  const Surface source = make_even(surfaces.source().points);
+  const Surface target = make_even(surfaces.target().points);
+  std::vector<Rigid> out;
+  for (const DominantPlane& target_plane : dominant_planes(target, kPlanes)) {
+    const Upright fixed = upright_points(target, target_plane);
+    for (const DominantPlane& source_plane : dominant_planes(source, kPlanes))
+      for (const double side : {1., -1.}) {  // which one is up, few points can decide
+        const Upright moving = upright_points(
+            source, {side * source_plane.normal, side * source_plane.offset, source_plane.share});
+        const std::vector<Rigid> poses = align(moving, fixed, team);
+        out.insert(out.end(), poses.begin(), poses.end());
+      }
+  }
+  return out;
+}
+
+}  // namespace emtr
