@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kSamples = 1024;  // points that stand for all
 constexpr double kAlike = 0.95;         // cosine of normals on one plane
-constexpr double kParallel = 0.9;       // of normals that one plane takes from the next
 constexpr double kThickness = 0.02;     // radii, half of it
+constexpr double kApart = 0.05;         // radii, of two parallel planes
 constexpr int kRounds = 3;
 
 struct Sample {
@@ -59,8 +59,8 @@ Vector3d commonest_normal(const std::vector<Sample>& samples) {
   return normal;
 }
 
-/// Returns the layer across the normal in which most of the points that face it lie.
-DominantPlane thickest_layer(const std::vector<Sample>& samples, const Vector3d& normal) {
+/// Returns the middle of the layer across the normal in which most points that face it lie.
+double thickest_layer(const std::vector<Sample>& samples, const Vector3d& normal) {
   std::vector<double> offsets;
   for (const Sample& s : facing(samples, normal)) offsets.push_back(normal.dot(s.point));
   std::sort(offsets.begin(), offsets.end());
@@ -69,8 +69,27 @@ DominantPlane thickest_layer(const std::vector<Sample>& samples, const Vector3d&
     while (offsets[last] - offsets[first] > 2 * kThickness) ++first;
     if (last + 1 - first > most) most = last + 1 - first, best = first;
   }
-  return {normal, offsets[best + most / 2],
-          static_cast<double>(most) / static_cast<double>(samples.size())};
+  return offsets[best + most / 2];
+}
+
+/// Fits the plane to the points near it: over a whole cloud, that is more exact than their normals.
+DominantPlane fit_plane(const std::vector<Sample>& samples, const Vector3d& normal,
+                        std::size_t points) {
+  DominantPlane plane{normal, thickest_layer(samples, normal), 0};
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<Vector3d> near;
+    for (const Sample& s : facing(samples, plane.normal))
+      if (std::abs(plane.normal.dot(s.point) - plane.offset) < kThickness) near.push_back(s.point);
+    Vector3d mean = Vector3d::Zero();
+    for (const Vector3d& p : near) mean += p;
+    mean /= static_cast<double>(near.size());
+    Matrix3d covariance = Matrix3d::Zero();
+    for (const Vector3d& p : near) covariance += (p - mean) * (p - mean).transpose();
+    plane.normal = Eigen::SelfAdjointEigenSolver<Matrix3d>(covariance).eigenvectors().col(0);
+    plane.offset = plane.normal.dot(mean);
+    plane.share = static_cast<double>(near.size()) / static_cast<double>(points);
+  }
+  return plane;
 }
 
 }  // namespace
@@ -81,16 +100,18 @@ std::vector<DominantPlane> dominant_planes(const Surface& surface, std::size_t m
   std::vector<DominantPlane> out;
   while (out.size() < maximum_count && !left.empty()) {
     const Vector3d normal = commonest_normal(left);
-    DominantPlane plane = thickest_layer(all, normal);
+    DominantPlane plane = fit_plane(left, normal, all.size());
     if (plane.share < kLeastPlane) break;
     double above = 0;
-    for (const Sample& s : all) above += normal.dot(s.point) - plane.offset;
+    for (const Sample& s : all) above += plane.normal.dot(s.point) - plane.offset;
     if (above < 0) plane.normal = -plane.normal, plane.offset = -plane.offset;
     out.push_back(plane);
-    left.erase(
-        std::remove_if(left.begin(), left.end(),
-                       [&](const Sample& s) { return std::abs(s.normal.dot(normal)) > kParallel; }),
-        left.end());
+    left.erase(std::remove_if(left.begin(), left.end(),
+                              [&](const Sample& s) {
+                                return std::abs(s.normal.dot(plane.normal)) > kAlike &&
+                                       std::abs(plane.normal.dot(s.point) - plane.offset) < kApart;
+                              }),
+               left.end());
   }
   return out;
 }

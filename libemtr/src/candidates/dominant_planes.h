@@ -18,7 +18,8 @@ struct DominantPlane {
 /// A plane of fewer points says little about where the cloud lies.
 constexpr double kLeastPlane = 0.1;  ///< share
 
-/// Returns at most `maximum_count` planes, no two of them parallel, that of most directions first.
+/// Returns at most `maximum_count` planes, those of the commonest directions first. Parallel ones
+/// are at least 0.03 radii apart.
 std::vector<DominantPlane> dominant_planes(const Surface& surface, std::size_t maximum_count);
 
 }  // namespace emtr

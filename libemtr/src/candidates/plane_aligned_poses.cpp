@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "candidates/dominant_planes.h"
 #include "candidates/translation_votes.h"
@@ -14,8 +15,9 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kPlanes = 2;  // of each cloud
-constexpr float kEvenLeaf = 0.03F;  // radii; clouds are denser near their sensor
+constexpr std::size_t kPlanes = 3;  // of each cloud
+constexpr std::size_t kMostOfOnePair = 12;
+constexpr float kEvenLeaf = 0.02F;  // radii; clouds are denser near their sensor
 constexpr int kNeighbors = 16;      // that make a normal
 
 /// Returns the pose that rotates about the aligned normals and then moves along the planes.
@@ -27,20 +29,33 @@ Rigid compose(const Upright& source, const Upright& target, int step, double x, 
   return target.to_plane.inverse() * along * source.to_plane;
 }
 
-std::vector<Rigid> align(const Upright& source, const Upright& target, ThreadTeam& team) {
+struct SupportedPose {
+  Rigid pose;
+  double support;  ///< votes for each point that stands upright
+};
+
+const Rigid& pose_of(const SupportedPose& supported) { return supported.pose; }
+
+std::vector<SupportedPose> best(std::vector<SupportedPose> poses, std::size_t maximum_count) {
+  std::stable_sort(poses.begin(), poses.end(),
+                   [](const auto& a, const auto& b) { return a.support > b.support; });
+  return suppress_non_maxima(poses, kDuplicatePose, maximum_count);
+}
+
+/// Returns the poses of most votes that lay one plane on the other.
+std::vector<SupportedPose> align(const Upright& source, const Upright& target, ThreadTeam& team) {
   const YawPairs pairs(source.points, target.points);
   std::vector<std::vector<TranslationPeak>> peaks(kYaws);
   team.parallel(kYaws, [&](std::size_t yaw, std::size_t) {
     peaks[yaw] = vote_for_translations(source.points, target.points, pairs, static_cast<int>(yaw));
   });
-  std::vector<TranslationPeak> all;
-  for (const auto& some : peaks) all.insert(all.end(), some.begin(), some.end());
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& a, const auto& b) { return a.votes > b.votes; });
-  std::vector<Rigid> poses;
-  for (const TranslationPeak& peak : all)
-    poses.push_back(compose(source, target, peak.yaw, peak.x, peak.y));
-  return suppress_non_maxima(poses, kDuplicatePose, kMostPlaneAligned);
+  const double points = std::sqrt(static_cast<double>(source.points.size()) *
+                                  static_cast<double>(target.points.size()));
+  std::vector<SupportedPose> poses;
+  for (const auto& some : peaks)
+    for (const TranslationPeak& peak : some)
+      poses.push_back({compose(source, target, peak.yaw, peak.x, peak.y), peak.votes / points});
+  return best(std::move(poses), kMostOfOnePair);
 }
 
 /// Returns the cloud with as many points everywhere: scans are denser near their sensor, and rings
@@ -55,17 +70,21 @@ Surface make_even(const Cloud& cloud) {
 std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, ThreadTeam& team) {
   const Surface source = make_even(surfaces.source().points);
   const Surface target = make_even(surfaces.target().points);
-  std::vector<Rigid> out;
+  const std::vector<DominantPlane> source_planes = dominant_planes(source, kPlanes);
+  std::vector<SupportedPose> all;
   for (const DominantPlane& target_plane : dominant_planes(target, kPlanes)) {
     const Upright fixed = upright_points(target, target_plane);
-    for (const DominantPlane& source_plane : dominant_planes(source, kPlanes))
+    for (const DominantPlane& source_plane : source_planes)
       for (const double side : {1., -1.}) {  // which one is up, few points can decide
         const Upright moving = upright_points(
             source, {side * source_plane.normal, side * source_plane.offset, source_plane.share});
-        const std::vector<Rigid> poses = align(moving, fixed, team);
-        out.insert(out.end(), poses.begin(), poses.end());
+        const std::vector<SupportedPose> poses = align(moving, fixed, team);
+        all.insert(all.end(), poses.begin(), poses.end());
       }
   }
+  std::vector<Rigid> out;
+  for (const SupportedPose& supported : best(std::move(all), kMostPlaneAligned))
+    out.push_back(supported.pose);
   return out;
 }
 

@@ -14,10 +14,10 @@ namespace emtr {
 /// each rotation, pairs of points that stand upright on the planes, at one height and facing the
 /// same way, vote for their translation. Unlike matches of descriptors this needs nothing that is
 /// locally distinct, so it finds streets, buildings and rooms seen from far apart. At most
-/// kMostPlaneAligned for each pair of planes, those of most votes first; not refined. Empty where
-/// one of the clouds has no such plane.
+/// kMostPlaneAligned, those of most votes for each point first; not refined. Empty where one of the
+/// clouds has no such plane.
 std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, ThreadTeam& team);
 
-constexpr std::size_t kMostPlaneAligned = 12;
+constexpr std::size_t kMostPlaneAligned = 48;
 
 }  // namespace emtr

@@ -22,7 +22,7 @@ TEST(DominantPlanes, GroundComesFirstAndIsOrientedTowardsWhatStandsOnIt) {
   EXPECT_GT(planes[0].share, 0.4);
 }
 
-TEST(DominantPlanes, TheSecondIsOfAnotherDirection) {
+TEST(DominantPlanes, AWallComesSecond) {
   emtr::Surface walled = emtr_test::yard(-1, 1, 0);
   for (double x = -0.9; x < 0.9; x += 0.03)
     for (double z = 0; z < 0.9; z += 0.03) emtr_test::push(walled, {x, 0.7, z}, {0, -1, 0});
@@ -30,12 +30,21 @@ TEST(DominantPlanes, TheSecondIsOfAnotherDirection) {
   ASSERT_EQ(planes.size(), 2u);
   EXPECT_NEAR(planes[1].normal.dot(-Vector3d::UnitY()), 1, 1e-3);
   EXPECT_NEAR(planes[1].offset, -0.7, 0.03);
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    EXPECT_NEAR(planes[i].normal.norm(), 1, 1e-9);
-    EXPECT_GE(planes[i].share, emtr::kLeastPlane);
-    for (std::size_t j = 0; j < i; ++j)
-      EXPECT_LT(std::abs(planes[i].normal.dot(planes[j].normal)), 0.9);
+  for (const DominantPlane& plane : planes) {
+    EXPECT_NEAR(plane.normal.norm(), 1, 1e-9);
+    EXPECT_GE(plane.share, emtr::kLeastPlane);
   }
+}
+
+TEST(DominantPlanes, TerracesAreTwo) {
+  emtr::Surface terraces;
+  for (double x = 0; x < 1; x += 0.03)
+    for (double y = 0; y < 1; y += 0.03)
+      emtr_test::push(terraces, {x, y, x < 0.6 ? 0 : 0.1}, {0, 0, 1});
+  const auto planes = emtr::dominant_planes(terraces, 3);
+  ASSERT_EQ(planes.size(), 2u);
+  EXPECT_NEAR(std::abs(planes[0].offset), 0, 1e-3);
+  EXPECT_NEAR(std::abs(planes[1].offset), 0.1, 1e-3);
 }
 
 TEST(DominantPlanes, ABallHasNone) {
