@@ -10,29 +10,8 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 
-def as_points(cloud: Any, name: str) -> NDArray[Any]:
-    """Returns a cloud as float32 or float64 (N, 3), contiguous rows, without a copy if possible.
-
-    Takes arrays of any real dtype, byte order and strides, nested lists, and objects with
-    ``.points``. Masked points become NaN, so that they are dropped and counted.
-
-    Raises:
-        TypeError: not numbers, or not real ones.
-        ValueError: not (N, 3).
-    """
-    array = _real_array(_points_of(cloud), name)
-    if array.ndim != 2 or array.shape[1] != 3:
-        hint = ""
-        if array.ndim == 2 and array.shape[0] == 3:
-            hint = f"; one point is one row, so transpose it: {name}.T"
-        raise ValueError(f"{name}: expected an array of shape (N, 3), got {array.shape}{hint}")
-    if array.dtype not in (np.dtype(np.float32), np.dtype(np.float64)):
-        array = array.astype(np.float32 if array.dtype == np.float16 else np.float64)
-    return _contiguous_rows(array)
-
-
 def as_normals(normals: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
-    """Returns normals (N, 3) in the dtype of the points, which :func:`as_points` made.
+    """Returns normals (N, 3) in the dtype of the points, which ``as_points`` made.
 
     Raises:
         TypeError: not numbers, or not real ones.
@@ -43,11 +22,11 @@ def as_normals(normals: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
         raise ValueError(
             f"{name}: expected an array of shape ({len(points)}, 3), got {array.shape}"
         )
-    return _contiguous_rows(array.astype(points.dtype, copy=False))
+    return contiguous_rows(array.astype(points.dtype, copy=False))
 
 
 def as_features(features: Any, name: str, points: NDArray[Any]) -> NDArray[np.float32]:
-    """Returns descriptors float32 (N, D), D >= 1, for points that :func:`as_points` made.
+    """Returns descriptors float32 (N, D), D >= 1, for points that ``as_points`` made.
 
     Raises:
         TypeError: not numbers, or not real ones.
@@ -57,7 +36,7 @@ def as_features(features: Any, name: str, points: NDArray[Any]) -> NDArray[np.fl
     if array.shape[1] == 0:
         raise ValueError(f"{name}: expected at least one number a point, got {array.shape}")
     with np.errstate(over="ignore"):  # to an infinity: the point then has no descriptor
-        return _contiguous_rows(array.astype(np.float32, copy=False))
+        return contiguous_rows(array.astype(np.float32, copy=False))
 
 
 def as_correspondences(pairs: Any, name: str = "correspondences") -> NDArray[np.int32]:
@@ -67,7 +46,7 @@ def as_correspondences(pairs: Any, name: str = "correspondences") -> NDArray[np.
         TypeError: not whole numbers.
         ValueError: not (K, 2), none at all, or a number that is no row of any array.
     """
-    array = _real_array(pairs, name)
+    array = real_array(pairs, name)
     if array.ndim != 2 or array.shape[1] != 2 or array.shape[0] == 0:
         raise ValueError(
             f"{name}: expected an array of shape (K, 2), one pair of rows of source"
@@ -82,14 +61,19 @@ def as_correspondences(pairs: Any, name: str = "correspondences") -> NDArray[np.
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
-def as_particles(particles: Any, genes: int) -> Floats:
-    """Returns particles as contiguous float64 (P, genes).
+def as_particles(particles: Any, genes: int) -> tuple[Floats, tuple[int, ...]]:
+    """Returns particles (P, genes), or one (genes,), as contiguous float64 (P, genes), and the
+    shape of their fitness: (P,), or () for one.
 
     Raises:
         TypeError: not numbers, or not real ones.
         ValueError: another shape, or a NaN or an infinity.
     """
-    return _shaped(particles, "particles", (None, genes))
+    array = real_array(particles, "particles")
+    if array.ndim == 1:
+        return _shaped(array, "particles", (genes,)).reshape(1, genes), ()
+    rows = _shaped(array, "particles", (None, genes))
+    return rows, (len(rows),)
 
 
 def as_vector(vector: Any, name: str, length: int) -> Floats:
@@ -103,19 +87,14 @@ def as_bounds(bounds: Any, name: str) -> Floats:
 
 
 def as_transformation(matrix: Any, name: str) -> Floats:
-    """Returns a 4x4 matrix as contiguous float64; raises as :func:`as_particles`."""
-    return _shaped(matrix, name, (4, 4))
-
-
-def _points_of(cloud: Any) -> Any:
-    if hasattr(cloud, "points") and not hasattr(cloud, "__array__"):
-        return cloud.points
-    return cloud
+    """Returns a 4x4 matrix, or that of an object with ``.transformation`` (a result), as contiguous
+    float64; raises as :func:`as_particles`."""
+    return _shaped(getattr(matrix, "transformation", matrix), name, (4, 4))
 
 
 def _rows(values: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
     """Returns one row for each point, in any real dtype."""
-    array = _real_array(values, name)
+    array = real_array(values, name)
     if array.ndim != 2 or array.shape[0] != len(points):
         raise ValueError(
             f"{name}: expected one row for each of the {len(points)} points, got an"
@@ -124,7 +103,7 @@ def _rows(values: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
-def _contiguous_rows(array: NDArray[Any]) -> NDArray[Any]:
+def contiguous_rows(array: NDArray[Any]) -> NDArray[Any]:
     """Returns an array with contiguous rows in ascending order, without a copy if possible."""
     size = array.itemsize
     if array.strides[1] != size or array.strides[0] < array.shape[1] * size:
@@ -132,7 +111,13 @@ def _contiguous_rows(array: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
-def _real_array(values: Any, name: str) -> NDArray[Any]:
+def real_array(values: Any, name: str) -> NDArray[Any]:
+    """Returns values as an array of a real dtype, with NaN where they are masked.
+
+    Raises:
+        TypeError: not numbers, or not real ones.
+        ValueError: rows of different lengths.
+    """
     try:
         array = np.asarray(values)
     except ValueError as error:
@@ -148,7 +133,7 @@ def _real_array(values: Any, name: str) -> NDArray[Any]:
 
 
 def _shaped(values: Any, name: str, shape: tuple[int | None, ...]) -> Floats:
-    array = np.ascontiguousarray(_real_array(values, name), dtype=np.float64)
+    array = np.ascontiguousarray(real_array(values, name), dtype=np.float64)
     fits = array.ndim == len(shape) and all(
         wanted is None or wanted == got for wanted, got in zip(shape, array.shape)
     )

@@ -9,7 +9,8 @@ from typing import Any
 from . import _emtr
 from .arrays import as_bounds, as_correspondences, as_transformation, as_vector
 from .cloud import as_cloud
-from .options import Value, make_settings
+from .mesh import MESH_POINTS, as_mesh_points
+from .options import make_settings, settings_used
 
 
 @dataclass(frozen=True)
@@ -33,13 +34,14 @@ class Inputs:
     source_features: Any = None
     target_features: Any = None
     correspondences: Any = None
+    mesh_points: int = MESH_POINTS
 
     @classmethod
     def among(cls, arguments: Mapping[str, Any]) -> Inputs:
         """Returns the inputs among a callable's arguments, which are its ``locals()`` at first."""
         return cls(**{field.name: arguments[field.name] for field in fields(cls)})
 
-    def settings(self, changes: Mapping[str, Value]) -> _emtr.Settings:
+    def settings(self, changes: Mapping[str, Any]) -> _emtr.Settings:
         """Returns the preset with the changes, the priors and the correspondences.
 
         Raises:
@@ -74,7 +76,12 @@ class Inputs:
         Raises as :class:`pyemtr.Cloud`.
         """
         keep = self.correspondences is not None
+        count = as_mesh_points(self.mesh_points)
         return (
-            as_cloud(source, "source", self.source_normals, self.source_features, keep),
-            as_cloud(target, "target", self.target_normals, self.target_features, keep),
+            as_cloud(source, "source", self.source_normals, self.source_features, keep, count),
+            as_cloud(target, "target", self.target_normals, self.target_features, keep, count),
         )
+
+    def used(self, chosen: _emtr.Settings) -> dict[str, Any]:
+        """Returns all that repeats the run on the same clouds, as keyword arguments."""
+        return {**settings_used(chosen), "mesh_points": as_mesh_points(self.mesh_points)}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import numbers
 import operator
 from collections.abc import Mapping, Sequence
@@ -12,6 +11,7 @@ from typing import Any, Union
 import numpy as np
 
 from . import _emtr
+from .suggestions import unknown_setting
 
 Value = Union[int, float, bool, str]
 
@@ -80,7 +80,11 @@ def make_settings(
     known = settings()
     for name, value in changes.items():
         if name not in known:
-            raise TypeError(_unknown(name, [*known, *arguments]))
+            raise TypeError(
+                unknown_setting(
+                    name, {**{n: s.text for n, s in known.items()}, **dict.fromkeys(arguments, "")}
+                )
+            )
         chosen.set(name, _number(known[name], value))
     chosen.set("threads", float(_whole("threads", threads)))
     chosen.seed = _seed(seed)
@@ -117,16 +121,24 @@ def _plain(kind: str, value: float, choices: tuple[str, ...]) -> Value:
 
 def _number(setting: Setting, value: Any) -> float:
     """Returns the value as the number that the library takes and checks the range of."""
-    if isinstance(value, (bool, np.bool_)):
-        if setting.type != "switch":
-            raise TypeError(f"{setting.name}: expected a number, got {value!r}")
-        return float(value)
-    if setting.type == "choice" and isinstance(value, str):
-        if value not in setting.choices:
-            raise ValueError(
+    plain = isinstance(value, (bool, np.bool_))
+    if setting.type == "switch":
+        if plain:
+            return float(value)
+        if isinstance(value, str):
+            if value not in ("on", "off"):
+                raise TypeError(
+                    f'{setting.name}: expected True or False ("on", "off"), got {value!r}'
+                )
+            return float(value == "on")
+    elif setting.type == "choice" and (plain or isinstance(value, str)):
+        if plain or value not in setting.choices:
+            raise (TypeError if plain else ValueError)(
                 f"{setting.name}: expected one of {', '.join(setting.choices)}, got {value!r}"
             )
         return float(setting.choices.index(value))
+    elif plain:
+        raise TypeError(f"{setting.name}: expected a number, got {value!r}")
     if setting.type != "real":
         return float(_whole(setting.name, value))
     if not isinstance(value, numbers.Real):
@@ -151,9 +163,3 @@ def _seed(value: Any) -> int:
     if whole < 0:
         raise ValueError(f"seed: expected 0 <= seed < 2**64, got {value!r}")
     return whole
-
-
-def _unknown(name: str, known: Sequence[str]) -> str:
-    close = difflib.get_close_matches(name, dict.fromkeys(known), n=3)
-    hint = f"did you mean {' or '.join(close)}?" if close else "see pyemtr.settings()"
-    return f"unknown setting {name!r}; {hint}"

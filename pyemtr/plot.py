@@ -13,12 +13,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from .arrays import Floats, as_points, as_transformation, as_vector
+from .arrays import Floats, as_transformation, as_vector
 from .camera import Camera, best_view, side_view
 from .drawing import INK, draw_points, shaded
 from .neighborhood import neighbor_tree, spacing, subsampled, surface_normals
+from .points import as_points
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -34,7 +34,7 @@ _BEYOND = np.array([0.80, 0.80, 0.80])  # points with no counterpart
 def plot_alignment(
     source: Any,
     target: Any,
-    transformation: ArrayLike,
+    transformation: Any,
     path: str | os.PathLike[str] | None = None,
     *,
     title: str | None = None,
@@ -50,9 +50,9 @@ def plot_alignment(
     to four times the target's point spacing; what lies beyond has no counterpart and is gray.
 
     Args:
-        source, target: (N, 3) and (M, 3), any real dtype, in one unit. Points with NaN or
-            infinity are left out.
-        transformation: (4, 4), source into target: q = R p + t.
+        source, target: clouds as :func:`pyemtr.register` takes them, in one unit. Points with NaN
+            or infinity are left out.
+        transformation: (4, 4), source into target: q = R p + t; or a :class:`pyemtr.Result`.
         path: file to write (.png, .pdf, .svg ...), whole or not at all, without a display. None:
             the figure belongs to pyplot, for ``matplotlib.pyplot.show()``.
         title: a line above the panels, such as the verdict.

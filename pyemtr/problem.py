@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +13,15 @@ from numpy.typing import NDArray
 from . import _emtr
 from .arrays import Floats, as_particles, as_transformation, as_vector
 from .inputs import Inputs
-from .options import Value, settings_used
+from .mesh import MESH_POINTS
 from .progress import Callback, as_raw_callback
 from .result import Result, make_result
 from .views import ProblemViews
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .setting_types import MethodSettings
 
 
 class Problem(ProblemViews):
@@ -49,11 +54,12 @@ class Problem(ProblemViews):
         source_features: Any = None,
         target_features: Any = None,
         correspondences: Any = None,
-        **settings: Value,
+        mesh_points: int = MESH_POINTS,
+        **settings: Unpack[MethodSettings],
     ) -> None:
         inputs = Inputs.among(locals())
         chosen = inputs.settings(settings)
-        self.settings: dict[str, Any] = settings_used(chosen)
+        self.settings: dict[str, Any] = inputs.used(chosen)
         self._raw = _emtr.Problem(*inputs.clouds(source, target), chosen)
         self._lock = threading.Lock()
         self._holder: int | None = None
@@ -64,13 +70,14 @@ class Problem(ProblemViews):
         Returns a :class:`pyemtr.Result` with the same bits as :func:`pyemtr.register`. The
         callback and the errors are as there.
         """
-        raw_callback = as_raw_callback(callback)
+        raw_callback = as_raw_callback(callback, self.settings)
         with self._alone():
             raw = self._raw.solve(raw_callback)
         return make_result(raw, dict(self.settings))
 
     def evaluate_alpha(self, particles: Any, resolution: str = "dense") -> Floats:
         """Returns the fitness of task alpha for particles (P, 6): float64 (P,), lower is better.
+        For one particle (6,) it is one float64.
 
         ``resolution`` is "sparse" or "dense". The nearest-neighbor queries are counted in
         ``queries``. Raises TypeError or ValueError for other shapes, types, or numbers that are
@@ -78,22 +85,23 @@ class Problem(ProblemViews):
         """
         if resolution not in ("sparse", "dense"):
             raise ValueError(f'resolution: expected "sparse" or "dense", got {resolution!r}')
-        genes = as_particles(particles, 6)
+        genes, shape = as_particles(particles, 6)
         fitness = np.empty(len(genes), dtype=np.float64)
         with self._alone():
             self._raw.evaluate_alpha(resolution == "dense", genes, fitness)
-        return fitness
+        return fitness.reshape(shape)[()]
 
     def evaluate_beta(self, particles: Any) -> Floats:
         """Returns the fitness of task beta for particles (P, 3): float64 (P,), lower is better.
+        For one particle (3,) it is one float64.
 
         Raises as :meth:`evaluate_alpha`.
         """
-        genes = as_particles(particles, 3)
+        genes, shape = as_particles(particles, 3)
         fitness = np.empty(len(genes), dtype=np.float64)
         with self._alone():
             self._raw.evaluate_beta(genes, fitness)
-        return fitness
+        return fitness.reshape(shape)[()]
 
     def complement(self, angles: Any) -> Floats:
         """Returns the translation (3,), normalized frame, that completes angles (3,): Algorithm 2.

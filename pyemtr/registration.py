@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _emtr
 from .inputs import Inputs
-from .options import Value, settings_used
+from .mesh import MESH_POINTS
 from .progress import Callback, as_raw_callback
 from .result import Result, make_result
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .setting_types import MethodSettings
 
 
 def register(
@@ -28,8 +33,9 @@ def register(
     source_features: Any = None,
     target_features: Any = None,
     correspondences: Any = None,
+    mesh_points: int = MESH_POINTS,
     callback: Callback | None = None,
-    **settings: Value,
+    **settings: Unpack[MethodSettings],
 ) -> Result:
     """Registers two partially overlapping clouds by EMTR-SSC, from any starting pose.
 
@@ -37,18 +43,23 @@ def register(
     while the library works.
 
     Args:
-        source: points (N, 3) in any unit: an array of any real dtype, byte order and strides,
-            nested lists, or an object with ``.points`` (an Open3D cloud). float32 and float64
-            rows are read in place; anything else is copied once. Points with a NaN or an infinity
-            (or masked ones) are dropped and counted. Use a :class:`pyemtr.Cloud` for points that
-            are registered more than once: they are then read once.
+        source: points (N, 3) in any unit: an array of any real dtype, byte order and strides, or
+            nested lists; homogeneous coordinates (N, 4) whose last column is 1 throughout; a table
+            with columns x, y and z (DataFrame, structured array); an object with ``.points`` or
+            ``.vertices`` (clouds of Open3D, trimesh, small_gicp); a file (NPY, NPZ, text, and with
+            ``pip install 'pyemtr[files]'`` PLY, PCD and LAS); or a mesh, which is taken as a
+            surface. float32 and float64 rows are read in place; anything else is copied once.
+            Points with a NaN or an infinity (or masked ones) are dropped and counted. Use a
+            :class:`pyemtr.Cloud` for points that are registered more than once: they are then read
+            once.
         target: points (M, 3), likewise.
         seed: 0 <= seed < 2**64.
         threads: 0 for as many as OpenMP would use; the result does not depend on it.
         preset: one of :func:`pyemtr.presets`; "paper" is the method as published.
-        guess: (4, 4), source into target, in the clouds' unit. It is tried as one hypothesis; the
-            search does not stay near it unless the settings ``guess_rotation`` (degrees) or
-            ``guess_translation`` (the clouds' unit, of the source's centroid) say how near.
+        guess: (4, 4), source into target, in the clouds' unit, or a result that has one. It is
+            tried as one hypothesis; the search does not stay near it unless the settings
+            ``guess_rotation`` (degrees) or ``guess_translation`` (the clouds' unit, of the source's
+            centroid) say how near.
         source_viewpoint: (3,), the position of the source's sensor, in the source's own frame and
             unit. It tells candidates apart: no surface lies in front of what the sensor saw.
             None when not known; it is then estimated where it is needed.
@@ -72,6 +83,8 @@ def register(
         correspondences: (K, 2) integers, rows of source and target that show the same place; many
             may be wrong. They replace feature matching. At least 3 different ones are needed; of
             more than ``max_correspondences``, that many are used, evenly spaced over the list.
+        mesh_points: how many points are spread evenly over the surface of a mesh, the same every
+            time; its vertices play no part.
         callback: called with a :class:`pyemtr.Progress` before each stage, after each iteration,
             and again about every 20 ms while a stage lasts, with the same progress. Return True to
             stop the run: the result then has the reason "interrupted" and the best pose so far. An
@@ -87,11 +100,16 @@ def register(
         TypeError: an argument of a wrong type, an unknown setting.
         ValueError: a wrong shape, a value out of range, a correspondence of points that do not
             exist or are not finite, a cloud that cannot be registered (fewer than 10 finite
-            points, all on one point or one line), priors that contradict each other.
+            points, all on one point or one line), priors that contradict each other, a file of no
+            known format or with wrong content.
+        OSError: a file that cannot be read.
+        ImportError: the package that reads files of that format is not installed.
         MemoryError: an allocation failed.
         RuntimeError: a defect of the library.
     """
     inputs = Inputs.among(locals())
     chosen = inputs.settings(settings)
-    raw = _emtr.register(*inputs.clouds(source, target), chosen, as_raw_callback(callback))
-    return make_result(raw, settings_used(chosen))
+    used = inputs.used(chosen)
+    raw_callback = as_raw_callback(callback, used)
+    raw = _emtr.register(*inputs.clouds(source, target), chosen, raw_callback)
+    return make_result(raw, used)

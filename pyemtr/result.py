@@ -12,8 +12,12 @@ from numpy.typing import NDArray
 
 from . import _emtr
 from .alternative import Alternative
-from .arrays import Floats, as_points
+from .arrays import Floats
 from .distances import residuals
+from .mesh import MESH_POINTS, mesh_of
+from .points import as_points
+from .result_html import html_of
+from .result_json import from_json, to_json
 
 # The dict of a group whose fields are named after it, where it has another name than the group.
 ATTRIBUTES = {"seconds": "timings"}
@@ -162,16 +166,62 @@ class Result:
     settings: dict[str, Any]
 
     def apply(self, points: Any) -> Floats:
-        """Moves points (N, 3), any dtype, from the source's into the target's frame.
+        """Moves points from the source's into the target's frame.
 
-        Returns float64 (N, 3). Raises TypeError or ValueError as :func:`pyemtr.register` does for
-        a cloud.
+        Args:
+            points: a cloud as :func:`pyemtr.register` takes it; of a :class:`pyemtr.Cloud` all
+                points, if it keeps them.
+
+        Returns:
+            float64 (N, 3), a row for each point that was given.
+
+        Raises:
+            TypeError, ValueError: as :func:`pyemtr.register` for a cloud, and for a mesh, which
+                moves by its own method.
         """
+        if mesh_of(points, "points") is not None:
+            raise TypeError(
+                "points: a mesh moves by its own method: give result.transformation to"
+                " apply_transform() of trimesh or transform() of Open3D and PyVista"
+            )
         source = as_points(points, "points").astype(np.float64)
         return np.asarray(source @ self.transformation[:3, :3].T + self.transformation[:3, 3])
 
+    def inverse(self) -> Floats:
+        """Returns the transformation of the target into the source, p = R^T (q - t): float64
+        (4, 4). All NaN where no pose was known."""
+        inverse = np.eye(4)
+        inverse[:3, :3] = self.transformation[:3, :3].T
+        inverse[:3, 3] = -inverse[:3, :3] @ self.transformation[:3, 3]
+        return inverse
+
+    @property
+    def covariance(self) -> Floats | None:
+        """The covariance of the pose: float64 (6, 6), the inverse of ``information``; None when the
+        pose was not refined, or the surfaces leave a direction unconstrained.
+
+        Rows and columns are w_x, w_y, w_z, v_x, v_y, v_z in the target's axes: a small rotation w
+        about ``center_target`` (radians), and then a translation v (the user's unit). So the blocks
+        are in radians squared, radians times the unit, and the unit squared. It tells of the noise
+        of single points, not of a wrong pose, which ``confidence`` does.
+        """
+        scale = np.sqrt(np.diag(self.information))  # rows of one size, whatever the unit
+        if self.unconstrained_directions or not (np.isfinite(scale).all() and scale.all()):
+            return None
+        try:
+            inverse = np.linalg.inv(self.information / np.outer(scale, scale))
+        except np.linalg.LinAlgError:
+            return None
+        return np.asarray((inverse + inverse.T) / 2 / np.outer(scale, scale))
+
     def residuals(
-        self, source: Any, target: Any, *, of: str = "source", threads: int = 0
+        self,
+        source: Any,
+        target: Any,
+        *,
+        of: str = "source",
+        threads: int = 0,
+        mesh_points: int = MESH_POINTS,
     ) -> Floats:
         """Returns the distance of each moved source point to the nearest target point: float64
         (N,), or with ``of="target"`` of each target point to the nearest moved source point, (M,).
@@ -179,12 +229,29 @@ class Result:
         Arguments and errors are those of :func:`pyemtr.residuals`, which this calls with the
         result's transformation. Raises ValueError when that is NaN.
         """
-        return residuals(source, target, self.transformation, of=of, threads=threads)
+        return residuals(
+            source, target, self.transformation, of=of, threads=threads, mesh_points=mesh_points
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """Returns all fields as JSON values: lists for arrays, None for NaN and infinities, a dict
         with the attributes for each alternative."""
-        return {name: _json(value) for name, value in vars(self).items()}
+        return to_json(vars(self))
+
+    @classmethod
+    def from_dict(cls, values: Mapping[str, Any]) -> Result:
+        """Returns the result that :meth:`to_dict` wrote, also by way of a JSON file. An infinity
+        comes back as NaN; all else has the same bits.
+
+        Raises:
+            TypeError: not a dict.
+            ValueError: a field is missing, or is not of its type and shape.
+        """
+        return _result(from_json(values, {field.name: str(field.type) for field in fields(cls)}))
+
+    def _repr_html_(self) -> str:
+        """The verdict, with the confidence and the overlap as bars, as notebooks show it."""
+        return html_of(self)
 
     def __repr__(self) -> str:
         verdict = "registered" if self.registered else f"not registered ({self.reason_text})"
@@ -217,9 +284,15 @@ def make_result(raw: Mapping[str, Any], settings: dict[str, Any]) -> Result:
             values[name], values[f"{name}_text"] = value
         else:
             values[name] = value
-    declared = {field.name for field in fields(Result)}
-    result = Result(settings=settings, **{n: v for n, v in values.items() if n in declared})
-    vars(result).update(values)  # those too that the library has and the class does not declare
+    return _result({"settings": settings, **values})
+
+
+def _result(values: dict[str, Any]) -> Result:
+    """Returns a Result with these attributes, those too that the class does not declare: a library
+    that is newer may have more."""
+    declared = {field.name: values[field.name] for field in fields(Result)}
+    result = Result(**declared)
+    vars(result).update(values)
     return result
 
 
@@ -237,15 +310,3 @@ def _vector(values: Any) -> NDArray[np.float64]:
 
 def _matrix(values: Any, rows: int) -> NDArray[np.float64]:
     return _vector(values).reshape(rows, -1)
-
-
-def _json(value: Any) -> Any:
-    if isinstance(value, np.ndarray):
-        return _json(value.tolist())
-    if isinstance(value, Alternative):
-        return _json(value._asdict())
-    if isinstance(value, dict):
-        return {key: _json(item) for key, item in value.items()}
-    if isinstance(value, list):
-        return [_json(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .arrays import Floats
-from .options import Value
 from .problem import Problem
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .setting_types import AllSettings
 
 _ANGLES = [(-np.pi, np.pi), (-np.pi / 2, np.pi / 2), (-np.pi, np.pi)]
 
@@ -28,7 +32,7 @@ class TaskAlpha:
         source_or_problem: Any,
         target: Any = None,
         resolution: str = "dense",
-        **settings: Value,
+        **settings: Unpack[AllSettings],
     ) -> None:
         if resolution not in ("sparse", "dense"):
             raise ValueError(f'resolution: expected "sparse" or "dense", got {resolution!r}')
@@ -45,14 +49,16 @@ class TaskAlpha:
         return np.array(_ANGLES + [(-reach, reach)] * 3, dtype=np.float64)
 
     def evaluate(self, particles: Any) -> Floats:
-        """Returns the fitness of particles (P, 6): see :meth:`Problem.evaluate_alpha`."""
+        """Returns the fitness of particles (P, 6) or (6,): see :meth:`Problem.evaluate_alpha`."""
         return self.problem.evaluate_alpha(particles, self.resolution)
 
 
 class TaskBeta:
     """Consensus of TIMs over SO(3), 3 genes (theta1, theta2, theta3); arguments as TaskAlpha."""
 
-    def __init__(self, source_or_problem: Any, target: Any = None, **settings: Value) -> None:
+    def __init__(
+        self, source_or_problem: Any, target: Any = None, **settings: Unpack[AllSettings]
+    ) -> None:
         self.problem: Problem = _problem_of(source_or_problem, target, settings)
 
     @property
@@ -61,11 +67,11 @@ class TaskBeta:
         return np.array(_ANGLES, dtype=np.float64)
 
     def evaluate(self, particles: Any) -> Floats:
-        """Returns the fitness of particles (P, 3): see :meth:`Problem.evaluate_beta`."""
+        """Returns the fitness of particles (P, 3) or (3,): see :meth:`Problem.evaluate_beta`."""
         return self.problem.evaluate_beta(particles)
 
 
-def _problem_of(source_or_problem: Any, target: Any, settings: dict[str, Any]) -> Problem:
+def _problem_of(source_or_problem: Any, target: Any, settings: AllSettings) -> Problem:
     if not isinstance(source_or_problem, Problem):
         if target is None:
             raise TypeError("target: expected a cloud beside the source cloud")

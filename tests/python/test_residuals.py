@@ -95,9 +95,11 @@ def test_bad_arguments_are_refused(arguments, changes, error, text):
         pyemtr.residuals(*arguments, **changes)
 
 
-def test_a_preprocessed_cloud_has_not_kept_its_points(pair):
-    with pytest.raises(TypeError, match="target"):
-        pyemtr.residuals(pair.source, pyemtr.Cloud(pair.target))
+def test_preprocessed_clouds_and_results_are_taken(pair, solved):
+    wanted = solved.residuals(pair.source, pair.target).tobytes()
+    clouds = pyemtr.Cloud(pair.source), pyemtr.Cloud(pair.target)
+    assert solved.residuals(*clouds).tobytes() == wanted
+    assert pyemtr.residuals(*clouds, solved).tobytes() == wanted
 
 
 def test_the_overlap_is_that_of_the_residuals(pair, solved):

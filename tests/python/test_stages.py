@@ -85,6 +85,16 @@ def test_a_particle_costs_the_same_alone_and_among_others(problem, resolution):
     assert task.evaluate(particles[::-1])[::-1].tobytes() == together.tobytes()
 
 
+def test_one_particle_has_one_number(problem):
+    particle = np.random.default_rng(3).uniform(-1, 1, 6)
+    tasks = pyemtr.TaskAlpha(problem), pyemtr.TaskAlpha(problem, resolution="sparse")
+    for task, genes in [(task, 6) for task in tasks] + [(pyemtr.TaskBeta(problem), 3)]:
+        alone = task.evaluate(particle[:genes])
+        assert isinstance(alone, float) and isinstance(alone, np.float64)
+        assert alone == task.evaluate(particle[None, :genes])[0]
+        assert alone == task.evaluate(particle[:genes].tolist())
+
+
 def test_a_task_makes_its_own_problem(pair, problem):
     alpha = pyemtr.TaskAlpha(pair.source, pair.target, resolution="sparse", threads=1)
     beta = pyemtr.TaskBeta(pair.source, pair.target, threads=1)
@@ -132,10 +142,8 @@ def test_another_optimizer_can_drive_alpha(problem, pair):
     task = pyemtr.TaskAlpha(problem)
     truth = problem.to_particle(pair.truth)
     start = truth + [0.03, -0.02, 0.03, 0.01, 0.01, -0.01]
-    found = minimize(
-        lambda x: task.evaluate(x[None])[0], start, method="Nelder-Mead", options={"maxiter": 200}
-    )
-    assert found.fun < task.evaluate(start[None])[0]
+    found = minimize(task.evaluate, start, method="Nelder-Mead", options={"maxiter": 200})
+    assert found.fun < task.evaluate(start)
     assert np.abs(found.x - truth).max() < np.abs(start - truth).max()
 
 
@@ -157,7 +165,8 @@ def test_threads_share_a_problem_one_after_another(problem):
 @pytest.mark.parametrize(
     "particles, error, text",
     [
-        (np.zeros(6), ValueError, r"\(P, 6\), got \(6,\)"),
+        (np.zeros(5), ValueError, r"\(6,\), got \(5,\)"),
+        (np.zeros((1, 2, 6)), ValueError, r"\(P, 6\), got \(1, 2, 6\)"),
         (np.zeros((4, 3)), ValueError, r"\(P, 6\), got \(4, 3\)"),
         (np.zeros((6, 4)), ValueError, r"got \(6, 4\)"),
         (np.full((2, 6), np.nan), ValueError, "NaN"),

@@ -57,15 +57,24 @@ def test_the_package_itself_passes(tmp_path):
             "alternative",
             "arrays",
             "cloud",
+            "cloud_files",
+            "columns",
             "distances",
             "inputs",
+            "mesh",
             "options",
+            "points",
             "problem",
             "progress",
             "views",
             "registration",
             "result",
+            "result_html",
+            "result_json",
+            "setting_types",
+            "suggestions",
             "tasks",
+            "text_clouds",
             "_emtr",
         )
     ]
@@ -86,7 +95,21 @@ MISUSE = [
     "pyemtr.TaskAlpha(a, a, resolution=1)",
     "pyemtr.settings()['seed'].nothing",
     "pyemtr.Cloud(a, 2)",
-    "pyemtr.Cloud(a).points",
+    "pyemtr.Cloud(a).pints",
+    "pyemtr.register(a, a, rmp=0.3)",  # the paper's name
+    "pyemtr.register(a, a, iterations='many')",
+    "pyemtr.register(a, a, iterations=2.5)",
+    "pyemtr.register(a, a, transfer='no')",
+    "pyemtr.register(a, a, fallback_search=False)",
+    "pyemtr.register(a, a, fallback_search='never')",
+    "pyemtr.register(a, a, neighbors='tree')",
+    "pyemtr.Problem(a, a, inertia_start='high')",
+    "pyemtr.Problem(a, a, callback=print)",
+    "pyemtr.TaskAlpha(a, a, populaton=9)",
+    "pyemtr.TaskBeta(a, a, mesh_points='many')",
+    "pyemtr.register(a, a).covariance[0]",  # it may be None
+    "pyemtr.register(a, a).inverse().pose",
+    "pyemtr.register(a, a, callback=lambda progress: progress.fractoin)",
 ]
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,6 +12,7 @@ import pyemtr
 
 def watch(progress: pyemtr.Progress) -> bool:
     stage: str = progress.stage
+    print(progress.fraction / 2)
     return stage == "evolution" and progress.best_alpha < 10 and progress.iteration > 3
 
 
@@ -85,6 +88,21 @@ def one_against_many(model: NDArray[np.float32], scans: list[NDArray[np.float32]
     cloud = pyemtr.Cloud(model, threads=2)
     print(len(cloud), cloud.dropped + 1, cloud.radius / 2, cloud.center.sum())
     return [pyemtr.register(scan, cloud).fitness for scan in scans]
+
+
+def in_and_out(path: str, scan: Path, mesh: object) -> pyemtr.Result:
+    model = pyemtr.Cloud(mesh, mesh_points=20_000)
+    result = pyemtr.register(scan, path, transfer="off", fallback_search="always", refine_leaf=1)
+    again = pyemtr.register(model, path, guess=result, **result.settings)
+    covariance = again.covariance
+    if covariance is not None:
+        print(np.sqrt(np.diag(covariance)), again.inverse() @ again.transformation)
+    print(pyemtr.residuals(model, path, again).max(), again.apply(model), model.points.dtype)
+    return pyemtr.Result.from_dict(result.to_dict())
+
+
+def one_particle(problem: pyemtr.Problem) -> float:
+    return float(problem.evaluate_alpha(np.zeros(6))) + float(problem.evaluate_beta([0, 0, 0]))
 
 
 def describe() -> str:
