@@ -32,7 +32,7 @@ class MeshFile(NamedTuple):
 def read_cloud(path: str, name: str) -> Any:
     """Returns what a file has: an array, a table with named columns, or a :class:`MeshFile`.
 
-    The format is that of the file's ending; docs/USER_DATA.md has the list.
+    The format is that of the file's ending; docs/ENTRY_POINTS.md has the list.
 
     Raises:
         ValueError: an ending that is not on the list, or content that does not fit the format.

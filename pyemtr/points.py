@@ -22,7 +22,7 @@ _ATTRIBUTES = ("xyz", "points", "vertices", "point", "vertex", "to_array")
 def as_points(cloud: Any, name: str, mesh_points: int = MESH_POINTS) -> NDArray[Any]:
     """Returns a cloud as float32 or float64 (N, 3), contiguous rows, without a copy if possible.
 
-    Takes what docs/USER_DATA.md lists under "What a cloud may be". Masked points become NaN, so
+    Takes what docs/ENTRY_POINTS.md lists under "What a cloud may be". Masked points become NaN, so
     that they are dropped and counted.
 
     Raises:
