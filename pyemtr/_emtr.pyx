@@ -8,6 +8,7 @@ from pyemtr.c_emtr cimport *
 from cpython.buffer cimport (
     PyBUF_FORMAT, PyBUF_ND, PyBUF_STRIDES, PyBUF_WRITABLE, PyBuffer_Release, PyObject_GetBuffer)
 from cpython.exc cimport PyErr_CheckSignals
+from libc.stdlib cimport free, malloc
 
 include "errors.pxi"
 include "settings.pxi"

@@ -92,6 +92,23 @@ def as_transformation(matrix: Any, name: str) -> Floats:
     return _shaped(getattr(matrix, "transformation", matrix), name, (4, 4))
 
 
+def as_poses(poses: Any) -> tuple[Floats, tuple[int, ...]]:
+    """Returns matrices (P, 4, 4) or one (4, 4), or what has ``.transformation``, one or many, as
+    contiguous float64 (P, 16), and the shape of what is known of each: (P,), or () for one.
+
+    Raises as :func:`as_particles`, and ValueError for none.
+    """
+    if isinstance(poses, (list, tuple)) and not hasattr(poses, "transformation"):
+        poses = [getattr(pose, "transformation", pose) for pose in poses]
+    array = real_array(getattr(poses, "transformation", poses), "poses")
+    if array.shape == (4, 4):
+        return _shaped(array, "poses", (4, 4)).reshape(1, 16), ()
+    if len(array) == 0:
+        raise ValueError("poses: expected at least one, got none")
+    rows = _shaped(array, "poses", (None, 4, 4))
+    return rows.reshape(-1, 16), (len(rows),)
+
+
 def _rows(values: Any, name: str, points: NDArray[Any]) -> NDArray[Any]:
     """Returns one row for each point, in any real dtype."""
     array = real_array(values, name)

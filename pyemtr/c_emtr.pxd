@@ -162,6 +162,14 @@ cdef extern from "emtr/emtr.h" nogil:
     emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress, void* user,
                                    emtr_result** result)
 
+    emtr_status emtr_problem_solve_from(emtr_problem* problem, const double* transformations,
+                                        size_t count, emtr_progress_fn progress, void* user,
+                                        emtr_result** result)
+    emtr_status emtr_problem_score(const emtr_problem* problem, const double* transformations,
+                                   size_t count, emtr_alternative* scored)
+    emtr_status emtr_problem_refine(const emtr_problem* problem, const double* transformations,
+                                    size_t count, double* refined)
+
     ctypedef enum emtr_resolution:
         EMTR_RESOLUTION_SPARSE
         EMTR_RESOLUTION_DENSE

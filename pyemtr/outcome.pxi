@@ -37,7 +37,6 @@ cdef object field(const emtr_result_field_info* info, const char* result):
 
 
 cdef object element(emtr_field_type type, const char* values, size_t i):
-    cdef const emtr_alternative* pose
     cdef emtr_reason reason
     cdef int32_t number
     if type == EMTR_FIELD_REAL:
@@ -57,15 +56,13 @@ cdef object element(emtr_field_type type, const char* values, size_t i):
         reason = (<const emtr_reason*>values)[i]
         return emtr_reason_name(reason).decode(), emtr_reason_text(reason).decode()
     if type == EMTR_FIELD_ALTERNATIVE:
-        pose = &(<const emtr_alternative*>values)[i]
-        return (
-            listed(pose.transformation, 16),
-            pose.score,
-            pose.surface_fit,
-            pose.violation,
-            pose.evidence,
-        )
+        return alternative(&(<const emtr_alternative*>values)[i])
     raise RuntimeError(f"a result field of the unknown type {type}")
+
+
+cdef tuple alternative(const emtr_alternative* pose):
+    return (listed(pose.transformation, 16), pose.score, pose.surface_fit, pose.violation,
+            pose.evidence)
 
 
 cdef dict finish(emtr_status status, Watch watch, emtr_result* result):

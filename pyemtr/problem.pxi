@@ -55,6 +55,49 @@ cdef class Problem:
             status = emtr_problem_solve(self.problem, on_progress, user, &result)
         return finish(status, watch, result)
 
+    def solve_from(self, const double[:, ::1] poses, callback):
+        cdef Watch watch = Watch(callback)
+        cdef emtr_result* result = NULL
+        cdef emtr_status status
+        cdef void* user = <void*>watch
+        cdef size_t count = checked_poses(poses)
+        cdef const double* values = &poses[0, 0]
+        with nogil:
+            status = emtr_problem_solve_from(self.problem, values, count, on_progress, user,
+                                             &result)
+        return finish(status, watch, result)
+
+    def score(self, const double[:, ::1] poses):
+        """Returns an alternative's values for each pose, in their order."""
+        cdef emtr_status status
+        cdef Interrupt interrupt = Interrupt()
+        cdef size_t count = checked_poses(poses)
+        cdef const double* values = &poses[0, 0]
+        cdef emtr_alternative* scored = <emtr_alternative*>malloc(count * sizeof(emtr_alternative))
+        if scored == NULL:
+            raise MemoryError("out of memory")
+        try:
+            interrupt.begin()
+            with nogil:
+                status = emtr_problem_score(self.problem, values, count, scored)
+            interrupt.end(status)
+            return [alternative(&scored[i]) for i in range(count)]
+        finally:
+            free(scored)
+
+    def refine(self, const double[:, ::1] poses, double[:, ::1] refined):
+        cdef emtr_status status
+        cdef Interrupt interrupt = Interrupt()
+        cdef size_t count = checked_poses(poses)
+        if checked_poses(refined) != count:
+            raise ValueError("as many rows are expected")
+        cdef const double* values = &poses[0, 0]
+        cdef double* out = &refined[0, 0]
+        interrupt.begin()
+        with nogil:
+            status = emtr_problem_refine(self.problem, values, count, out)
+        interrupt.end(status)
+
     def evaluate_alpha(self, bint dense, const double[:, ::1] particles, double[::1] fitness):
         cdef size_t count = particles.shape[0]
         cdef emtr_resolution resolution = EMTR_RESOLUTION_DENSE if dense else EMTR_RESOLUTION_SPARSE
@@ -127,6 +170,12 @@ cdef class Problem:
 
     def array(self, str name not None):
         return ArrayView(self, name)
+
+
+cdef size_t checked_poses(const double[:, ::1] poses) except 0:
+    if poses.shape[0] == 0 or poses.shape[1] != 16:
+        raise ValueError("poses of 16 numbers are expected, at least one")
+    return poses.shape[0]
 
 
 @cython.final

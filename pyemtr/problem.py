@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _emtr
-from .arrays import Floats, as_particles, as_transformation, as_vector
+from .alternative import Alternative
+from .arrays import Floats, as_particles, as_poses, as_transformation, as_vector
 from .inputs import Inputs
 from .mesh import MESH_POINTS
 from .progress import Callback, as_raw_callback
-from .result import Result, make_result
+from .result import Result, as_alternative, make_result
 from .views import ProblemViews
 
 if TYPE_CHECKING:
@@ -64,16 +65,60 @@ class Problem(ProblemViews):
         self._lock = threading.Lock()
         self._holder: int | None = None
 
-    def solve(self, callback: Callback | None = None) -> Result:
+    def solve(self, callback: Callback | None = None, *, poses: Any = None) -> Result:
         """Runs the stages from the evolution to the verdict.
 
-        Returns a :class:`pyemtr.Result` with the same bits as :func:`pyemtr.register`. The
-        callback and the errors are as there.
+        Args:
+            callback: as in :func:`pyemtr.register`.
+            poses: poses that another optimizer found, as :meth:`score` takes them; they take the
+                place of the swarms, which then do not run. The best of them are candidates beside
+                the guess and the seeds. A problem made with ``seeds=0, fallback_search="off"``
+                judges them alone, but for their rivals by symmetry.
+
+        Returns:
+            A :class:`pyemtr.Result`; without ``poses`` it has the same bits as
+            :func:`pyemtr.register`. The errors are as there.
         """
         raw_callback = as_raw_callback(callback, self.settings)
+        matrices = None if poses is None else as_poses(poses)[0]
         with self._alone():
-            raw = self._raw.solve(raw_callback)
+            if matrices is None:
+                raw = self._raw.solve(raw_callback)
+            else:
+                raw = self._raw.solve_from(matrices, raw_callback)
         return make_result(raw, dict(self.settings))
+
+    def score(self, poses: Any) -> list[Alternative]:
+        """Scores poses as candidates are scored, each where it is: nothing is refined.
+
+        Args:
+            poses: matrices (P, 4, 4) or one (4, 4), source into target, in the clouds' unit; or
+                results or alternatives.
+
+        Returns:
+            A :class:`pyemtr.Alternative` for each, in their order.
+
+        Raises:
+            TypeError, ValueError: not such matrices, or not rigid; a problem without candidates.
+        """
+        with self._alone():
+            return [as_alternative(values) for values in self._raw.score(as_poses(poses)[0])]
+
+    def rank(self, poses: Any) -> list[Alternative]:
+        """Returns what :meth:`score` does, the best first."""
+        return sorted(self.score(poses), key=lambda pose: -pose.score)
+
+    def refine(self, poses: Any) -> Floats:
+        """Refines poses on the fine clouds, as the answer of a registration is refined.
+
+        Takes what :meth:`score` takes, and raises as it does. Returns float64 (P, 4, 4), or (4, 4)
+        for one pose. A pose that cannot be refined, because too few points are near, stays.
+        """
+        matrices, shape = as_poses(poses)
+        refined = np.empty_like(matrices)
+        with self._alone():
+            self._raw.refine(matrices, refined)
+        return refined.reshape(*shape, 4, 4)
 
     def evaluate_alpha(self, particles: Any, resolution: str = "dense") -> Floats:
         """Returns the fitness of task alpha for particles (P, 6): float64 (P,), lower is better.

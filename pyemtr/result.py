@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -296,9 +296,15 @@ def _result(values: dict[str, Any]) -> Result:
     return result
 
 
+def as_alternative(values: Sequence[Any]) -> Alternative:
+    """Returns an alternative made of the extension's values."""
+    pose, *numbers = values
+    return Alternative(_matrix(pose, 4), *numbers)
+
+
 def _field(value: Any, kind: str, rows: int, columns: int) -> Any:
     if kind == "alternative":
-        return [Alternative(_matrix(pose, 4), *values) for pose, *values in value]
+        return [as_alternative(values) for values in value]
     if not isinstance(value, list):
         return value
     return _matrix(value, rows) if rows > 1 else _vector(value)

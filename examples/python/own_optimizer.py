@@ -50,7 +50,9 @@ best = evolve(alpha, np.column_stack([start - reach, start + reach]), popsize=12
 transformation = problem.to_transformation(best)
 print(f"rotation error {pyemtr.metrics.rotation_error(transformation, true):.2f} degrees")
 
-# emtr refines and judges a pose that it gets as a guess and may hardly leave.
-result = pyemtr.register(source, target, guess=transformation, guess_rotation=10, iterations=1)
-print(f"{result.reason_text}, confidence {result.confidence:.1%}")
+# The pose takes the place of the swarms in all that follows: ranking, refinement and the verdict.
+(scored,) = problem.score(transformation)
+result = problem.solve(poses=transformation)
+print(f"score {scored.score:.2f} -> {result.score:.2f}, confidence {result.confidence:.1%}")
+print(result.reason_text)
 print(f"rotation error {pyemtr.metrics.rotation_error(result.transformation, true):.3f} degrees")

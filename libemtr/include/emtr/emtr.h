@@ -685,6 +685,32 @@ EMTR_API void emtr_problem_free(emtr_problem* problem);
 EMTR_API emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress,
                                         void* user, emtr_result** result);
 
+/* Solves a problem by poses that were found elsewhere, in the place of those of the swarm: the best
+ * of them become candidates beside the guess, the seeds and the poses of the correspondences, and
+ * all goes on as in emtr_problem_solve(). So the pose of the result may be another one; without
+ * seeds (setting `seeds`) and without fallback search it is one of them, or a rival beside it.
+ * `transformations` is (count, 16), source into target, row-major, user's unit, count > 0. With
+ * priors each is moved to the nearest pose that they admit. Where the user's correspondences
+ * decide, the poses play no part. On EMTR_OK *result is new, and the caller frees it. On an error
+ * it is null. Errors: EMTR_ERROR_ARGUMENT for a transformation that is not rigid, by its row. */
+EMTR_API emtr_status emtr_problem_solve_from(emtr_problem* problem, const double* transformations,
+                                             size_t count, emtr_progress_fn progress, void* user,
+                                             emtr_result** result);
+
+/* Scores poses as candidates are scored, each where it is: nothing is refined. Writes them to
+ * scored[count], in their order, with their transformations.
+ * Errors: EMTR_ERROR_ARGUMENT as emtr_problem_solve_from(), EMTR_ERROR_SETTING for a problem
+ * without candidates. */
+EMTR_API emtr_status emtr_problem_score(const emtr_problem* problem, const double* transformations,
+                                        size_t count, emtr_alternative* scored);
+
+/* Refines poses on the fine clouds, as the answer is refined, and writes them to `refined`, (count,
+ * 16). A pose that cannot be refined, because too few points are near, stays where it is. With
+ * priors each is first moved to the nearest pose that they admit, and stays among these.
+ * Errors: EMTR_ERROR_ARGUMENT as emtr_problem_solve_from(). */
+EMTR_API emtr_status emtr_problem_refine(const emtr_problem* problem, const double* transformations,
+                                         size_t count, double* refined);
+
 /* The downsampled clouds on which task alpha is evaluated. */
 typedef enum emtr_resolution {
   EMTR_RESOLUTION_SPARSE = 0,

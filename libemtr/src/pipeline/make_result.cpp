@@ -82,15 +82,8 @@ void fill_verdict(const Verdict& verdict, emtr_result& r) {
 }
 
 void fill_alternatives(const Confidence& confidence, const Problem& problem, Result& r) {
-  for (const Candidate& other : confidence.alternatives) {
-    emtr_alternative& out = r.others.emplace_back();
-    to_matrix(problem.pair.normalization.to_user(other.pose), out.transformation);
-    out.score = other.score;
-    out.surface_fit = other.fit.score;
-    out.violation = other.violation;
-    out.evidence = evidence(other, problem.downsampled.source_dense.size(),
-                            problem.downsampled.target_dense.size());
-  }
+  for (const Candidate& other : confidence.alternatives)
+    write_alternative(problem, other, r.others.emplace_back());
   r.alternatives = r.others.data();
   r.alternative_count = r.others.size();
 }
@@ -183,6 +176,15 @@ void fill_seconds(const StageSeconds& seconds, emtr_result& r) {
 }
 
 }  // namespace
+
+void write_alternative(const Problem& problem, const Candidate& candidate, emtr_alternative& out) {
+  to_matrix(problem.pair.normalization.to_user(candidate.pose), out.transformation);
+  out.score = candidate.score;
+  out.surface_fit = candidate.fit.score;
+  out.violation = candidate.violation;
+  out.evidence = evidence(candidate, problem.downsampled.source_dense.size(),
+                          problem.downsampled.target_dense.size());
+}
 
 std::unique_ptr<Result> make_result(const Problem& problem, const Solution& found) {
   auto result = std::make_unique<Result>();

@@ -2,20 +2,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "geometry/pose_distance.h"
 #include "priors/make_prior.h"
 #include "refinement/unconstrained_motion.h"
 #include "settings/choices.h"
 #include "util/stopwatch.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
-
-/// Returns the pose, or the nearest one that the prior admits.
-Rigid admissible_pose(const Problem& problem, const Rigid& pose) {
-  return problem.prior ? problem.prior->project(pose) : pose;
-}
 
 /// Returns the user's guess, if there is one.
 std::vector<Rigid> guess(const Problem& problem) {
@@ -70,6 +67,10 @@ const FineSurfaces& fine(const Problem& problem, Solution& found) {
 
 }  // namespace
 
+Rigid admissible_pose(const Problem& problem, const Rigid& pose) {
+  return problem.prior ? problem.prior->project(pose) : pose;
+}
+
 void judge_match_poses(const Problem& problem, Solution& found) {
   const MatchPose& best = problem.match_poses.front();
   found.pose = best.pose;
@@ -101,6 +102,28 @@ void evolve(const Problem& problem, Progress& progress, Solution& found) {
   const Evolution& evolution = found.evolution;
   if (!evolution.hypotheses.empty()) found.pose = evolution.hypotheses[evolution.best].pose;
   if (evolution.stopped) throw Cancelled();
+}
+
+void take_poses(const Problem& problem, const std::vector<Rigid>& poses, Solution& found) {
+  const TaskAlpha& alpha = *problem.alpha;
+  const int threads = thread_count(problem.settings);
+  std::vector<TaskAlpha::Scratch> scratch(static_cast<std::size_t>(threads));
+  std::vector<Hypothesis> known(poses.size());
+  ThreadTeam::with(threads, [&](ThreadTeam& team) {
+    team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
+      const Rigid pose = admissible_pose(problem, poses[i]);
+      known[i] = {pose, alpha.evaluate(EMTR_RESOLUTION_DENSE, pose, scratch[thread])};
+    });
+  });
+  const auto best = std::min_element(
+      known.begin(), known.end(),
+      [](const Hypothesis& a, const Hypothesis& b) { return a.fitness < b.fitness; });
+  found.pose = best->pose;
+  Evolution& evolution = found.evolution;
+  evolution.best = static_cast<std::size_t>(best - known.begin());
+  evolution.resolution = EMTR_RESOLUTION_DENSE;
+  evolution.queries_evaluation = poses.size() * alpha.queries(EMTR_RESOLUTION_DENSE);
+  evolution.hypotheses = std::move(known);
 }
 
 void rank_candidates(const Problem& problem, Solution& found) {

@@ -6,6 +6,9 @@
 
 namespace emtr {
 
+/// Returns the pose, or the nearest one that the prior admits.
+Rigid admissible_pose(const Problem& problem, const Rigid& pose);
+
 // The steps of solve(). Each reads what the ones before it have found, and adds what it finds.
 
 /// Takes the pose from the matches, and judges it by them.
@@ -17,6 +20,9 @@ void shortlist_seeds(const Problem& problem, Solution& found);
 /// Evolves both swarms from the guess and the shortlist. Throws Cancelled when it is stopped, with
 /// the evolution so far in `found`.
 void evolve(const Problem& problem, Progress& progress, Solution& found);
+
+/// Takes poses that are known in the place of those that the swarm would find. Not empty.
+void take_poses(const Problem& problem, const std::vector<Rigid>& poses, Solution& found);
 
 /// Refines and ranks the guess, the shortlist and the poses of the swarm.
 void rank_candidates(const Problem& problem, Solution& found);

@@ -22,7 +22,8 @@ void conclude(const Problem& problem, Progress& progress, Solution& found) {
 }
 
 /// Runs the stages of the search; Cancelled leaves what they have found by then.
-void run_stages(const Problem& problem, Progress& progress, Solution& found) {
+void run_stages(const Problem& problem, const std::vector<Rigid>* poses, Progress& progress,
+                Solution& found) {
   if (problem.matches_decide) {
     progress.enter(Stage::Verdict);
     judge_match_poses(problem, found);
@@ -31,7 +32,10 @@ void run_stages(const Problem& problem, Progress& progress, Solution& found) {
 
   progress.enter(Stage::Evolution);
   shortlist_seeds(problem, found);
-  evolve(problem, progress, found);
+  if (poses)
+    take_poses(problem, *poses, found);
+  else
+    evolve(problem, progress, found);
 
   if (found.candidates) {
     progress.enter(Stage::Candidates);
@@ -51,11 +55,12 @@ void run_stages(const Problem& problem, Progress& progress, Solution& found) {
   }
 }
 
-void search(const Problem& problem, CancellationToken& token, Solution& found) {
+void search(const Problem& problem, const std::vector<Rigid>* poses, CancellationToken& token,
+            Solution& found) {
   const CancellationScope scope(&token);
   try {
     Progress progress(token, problem.settings.iterations, found.seconds);
-    run_stages(problem, progress, found);
+    run_stages(problem, poses, progress, found);
   } catch (const Cancelled&) {
     found.stopped = true;
     take_best_so_far(problem, found);
@@ -64,11 +69,12 @@ void search(const Problem& problem, CancellationToken& token, Solution& found) {
 
 }  // namespace
 
-std::unique_ptr<Result> solve(const Problem& problem, CancellationToken& token) {
+std::unique_ptr<Result> solve(const Problem& problem, CancellationToken& token,
+                              const std::vector<Rigid>* poses) {
   Solution found;
   found.seconds = problem.seconds;
   found.stopped = problem.stopped;
-  if (!found.stopped) search(problem, token, found);
+  if (!found.stopped) search(problem, poses, token, found);
   if (found.pose && !problem.matches_decide) judge_pose(problem, found);
   auto result = make_result(problem, found);
   if (found.stopped)
