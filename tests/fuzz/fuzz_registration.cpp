@@ -88,6 +88,17 @@ void read_array(const emtr_problem* problem, Input& input) {
   require(sum < 0x80000000u);
 }
 
+/// Scores and refines a pose.
+void use_pose(const emtr_problem* problem, const double T[16]) {
+  emtr_alternative scored;
+  if (accepted(emtr_problem_score(problem, T, 1, &scored))) {
+    require_rigid(scored.transformation);
+    require(scored.score <= 1 && scored.surface_fit >= 0 && scored.violation >= 0);
+  }
+  double refined[16];
+  if (accepted(emtr_problem_refine(problem, T, 1, refined))) require_rigid(refined);
+}
+
 /// Uses the tasks, the complement and the conversions of a problem, for any particles.
 void use(emtr_problem* problem, Input& input) {
   double particles[12], fitness[2], T[16], back[6], translation[3];
@@ -103,6 +114,7 @@ void use(emtr_problem* problem, Input& input) {
     require_rigid(T);
     require(accepted(emtr_transformation_to_particle(problem, T, back)));
     for (const double value : back) require(std::isfinite(value));
+    use_pose(problem, T);
     T[input.ConsumeIntegralInRange(0, 15)] = any_double(input);
     accepted(emtr_transformation_to_particle(problem, T, back));
   }
@@ -143,7 +155,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (!made) break;
       const Owned<emtr_problem> problem(raw, emtr_problem_free);
       use(problem.get(), input);
-      done = accepted(emtr_problem_solve(problem.get(), Stop::at, &stop, &result));
+      const double particle[6] = {0.1, 0.2, 0.3, 0, 0, any_double(input)};
+      double T[16];
+      if (input.ConsumeBool() &&
+          accepted(emtr_particle_to_transformation(problem.get(), particle, T)))
+        done = accepted(emtr_problem_solve_from(problem.get(), T, 1, Stop::at, &stop, &result));
+      else
+        done = accepted(emtr_problem_solve(problem.get(), Stop::at, &stop, &result));
     }
   }
   require(done == (result != nullptr));

@@ -50,7 +50,7 @@ class CResult(ctypes.Structure):
 def by_python(source: object, target: object) -> dict[str, Any]:
     try:
         result = pyemtr.register(source, target)
-    except (ValueError, TypeError, MemoryError, RuntimeError) as error:
+    except (ValueError, TypeError, MemoryError, OSError, RuntimeError) as error:
         return {"error": type(error).__name__, "message": str(error)}
     return {
         "reason": result.reason,

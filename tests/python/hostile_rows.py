@@ -121,7 +121,7 @@ ROWS: dict[str, Row] = {
     "empty": Row(of(np.empty((0, 3))), FEW),
     "ragged lists": Row(of([[1, 2, 3], [4, 5]]), Refused("ValueError", "source: .*array of numb")),
     "None": Row(of(None), Refused("TypeError", "source: .*NoneType")),
-    "text": Row(of("cloud.pcd"), Refused("TypeError", "source: .*str")),
+    "text": Row(of("cloud.pcd"), Refused("FileNotFoundError", "cloud.pcd")),
     "points is None": Row(
         of(types.SimpleNamespace(points=None)), Refused("TypeError", "source: .*NoneType")
     ),
@@ -131,7 +131,7 @@ ROWS: dict[str, Row] = {
     "bool": Row(of(S > 0), NUMBERS),
     "strings": Row(of(S.astype(str)), NUMBERS),
     "dates": Row(of(np.zeros((100, 3), "M8[s]")), NUMBERS),
-    "structured": Row(of(np.zeros(200, "f4,f4,f4")), NUMBERS),
+    "structured": Row(of(np.zeros(200, "f4,f4,f4")), Refused("TypeError", "columns x, y and z")),
     "float16": Row(of(S.astype("f2"), T.astype("f2")), GOOD, TRUTH),
     "longdouble": Row(of(S.astype("g"), T.astype("g")), GOOD, TRUTH),
     "float32": Row(of(S.astype("f4"), T.astype("f4")), GOOD, TRUTH),

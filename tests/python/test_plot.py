@@ -15,6 +15,7 @@ pytest.importorskip("scipy")
 
 from matplotlib import image
 
+import pyemtr
 from pyemtr import plot
 from pyemtr.camera import Camera, best_view
 from pyemtr.plot import plot_alignment
@@ -91,6 +92,16 @@ def test_error_map_tells_the_distance(tmp_path: Path) -> None:
     lift[2, 3] = 1.5  # above points one apart: each is 1.5 from its nearest
     figure = plot_alignment(grid, grid, lift, tmp_path / "a.png", unit="m", dpi=30)
     assert "100% within 4 m, rms 1.5 m" in texts(figure)
+
+
+def test_clouds_and_results_are_drawn_as_arrays_are(tmp_path: Path) -> None:
+    source, target, _ = pair()
+    result = pyemtr.register(source, target, preset="fast", iterations=3, threads=2)
+    plain = plot_alignment(source, target, result.transformation, tmp_path / "a.png", dpi=30)
+    clouds = pyemtr.Cloud(source), pyemtr.Cloud(target)
+    found = plot_alignment(*clouds, result, tmp_path / "b.png", dpi=30)
+    assert texts(found) == texts(plain)
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
 
 
 def test_equal_scales_in_every_panel(tmp_path: Path) -> None:

@@ -28,6 +28,16 @@ class Tensor:
         return self.values
 
 
+class Tracked(Tensor):
+    """Behaves as one of PyTorch whose gradient is tracked."""
+
+    def detach(self) -> Tensor:
+        return Tensor(self.values)
+
+    def numpy(self) -> np.ndarray:
+        raise RuntimeError("use tensor.detach().numpy() instead")
+
+
 class Table:
     """Behaves as a DataFrame of pandas or polars."""
 
@@ -62,6 +72,7 @@ CLOUDS = {
     "Open3D": one(points=POINTS.tolist()),
     "Open3D, tensor": one(point=one(positions=Tensor(POINTS))),
     "a tensor": Tensor(POINTS),
+    "a tensor with a gradient": Tracked(POINTS),
     "trimesh": one(vertices=POINTS),
     "small_gicp": one(points=lambda: np.hstack([POINTS, ONES])),
     "laspy": one(points="raw records", xyz=POINTS),
