@@ -101,7 +101,8 @@ class Cloud:
 
     @property
     def strays(self) -> int:
-        """The number of finite points far outside of all the others, which are left out."""
+        """The number of finite points that are left out: far outside of all the others or, in a
+        cloud of at most 3000 points, scattered off its surface."""
         return int(self._info["strays"])
 
     @property

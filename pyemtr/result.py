@@ -47,8 +47,8 @@ class Result:
             with the spacing of the points.
         points_source, points_target: the number of finite points.
         dropped_source, dropped_target: the number of points with a NaN or an infinity.
-        strays_source, strays_target: the number of finite points far outside of all the others,
-            which were left out.
+        strays_source, strays_target: the number of finite points that were left out: far outside
+            of all the others or, in a cloud of at most 3000 points, scattered off its surface.
         sparse_source, sparse_target, dense_source, dense_target: points of the downsampled clouds.
         correspondences, correspondences_found: feature matches used, at most
             ``max_correspondences``, and feature matches found.

@@ -448,7 +448,9 @@ typedef struct emtr_result {
   double evidence;     /* how many dense points of the poorer cloud lie on the other */
   double scale_factor; /* of the source's lengths, at which it fits better; 1 where none does */
 
-  size_t strays_source; /* finite points far outside of all the others, which were left out */
+  /* finite points that were left out: far outside of all the others or, in a cloud of at most 3000
+   * points, scattered off its surface */
+  size_t strays_source;
   size_t strays_target;
 
   /* A motion of what both clouds show together, after which they fit about as well: "none";
@@ -648,7 +650,7 @@ typedef struct emtr_preprocessed_info {
   size_t keypoints;   /* points with user-provided features; of more than 200 000, those that are
                          left after downsampling */
   size_t feature_dimension; /* 0: no features */
-  size_t strays;            /* finite points far outside of all the others, which are left out */
+  size_t strays;            /* finite points that are left out, see emtr_result */
 } emtr_preprocessed_info;
 
 /* Describes a preprocessed cloud. `size` as for emtr_setting_describe(). */

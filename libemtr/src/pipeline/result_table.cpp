@@ -153,9 +153,11 @@ const std::vector<emtr_result_field_info>& result_table() {
     FIELD(dropped_target, Size, "counts", "points",
           "points of the target with a NaN or an infinity"),
     FIELD(strays_source, Size, "counts", "points",
-          "finite points of the source far outside of all the others, which were left out"),
+          "finite points of the source far outside of all the others or scattered off the surface, "
+          "which were left out"),
     FIELD(strays_target, Size, "counts", "points",
-          "finite points of the target far outside of all the others, which were left out"),
+          "finite points of the target far outside of all the others or scattered off the surface, "
+          "which were left out"),
     FIELD(sparse_source, Size, "counts", "points", "points of the sparse source cloud"),
     FIELD(sparse_target, Size, "counts", "points", "points of the sparse target cloud"),
     FIELD(dense_source, Size, "counts", "points", "points of the dense source cloud"),

@@ -1,15 +1,20 @@
 #include "preprocessing/preprocessed_cloud.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "neighbors/resolution.h"
+#include "neighbors/scattered_points.h"
 #include "util/cancellation.h"
 
 namespace emtr {
 
 namespace {
+
+constexpr std::size_t kSmall = 3000;  // points: in a larger cloud outliers do no harm
 
 template <class Wanted>
 std::vector<std::int64_t> rows_of(const CloudReader& reader, const Wanted& wanted) {
@@ -63,6 +68,25 @@ PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string&
   if (dropped || strays) finite_ = rows_of(reader, [](const double*) { return true; });
   if (strays)
     strays_ = rows_of(all, [&](const double* p) { return !extent.without_strays->contains(p); });
+  if (whole_ && base.size() <= kSmall) leave_out_scattered();
+}
+
+void PreprocessedCloud::leave_out_scattered() {
+  const std::vector<std::size_t> kept = rows_on_surface(base);
+  if (kept.size() == base.size() || kept.size() < kSurfacePoints) return;
+  if (finite_.empty()) {
+    finite_.resize(base.size());
+    std::iota(finite_.begin(), finite_.end(), std::int64_t{0});
+  }
+  std::vector<std::int64_t> rows;
+  for (const std::size_t row : kept) rows.push_back(finite_[row]);
+  std::set_difference(finite_.begin(), finite_.end(), rows.begin(), rows.end(),
+                      std::back_inserter(strays_));
+  std::sort(strays_.begin(), strays_.end());
+  strays += base.size() - kept.size();
+  finite_ = std::move(rows);
+  base = base.select(kept);
+  if (normals.size()) normals = normals.select(kept);
 }
 
 bool PreprocessedCloud::find(std::size_t row, float p[3]) const {

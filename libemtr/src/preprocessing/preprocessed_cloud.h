@@ -24,9 +24,11 @@ class PreprocessedCloud {
 
   std::size_t count = 0;    ///< finite points
   std::size_t dropped = 0;  ///< points with a NaN or an infinity
-  std::size_t strays = 0;   ///< finite points far outside of all the others, which it leaves out
-  double center[3] = {};    ///< centroid, the user's unit
-  double radius = 0;        ///< largest distance from it, the user's unit
+  /// Finite points that it leaves out: far outside of all the others or, in a cloud of at most 3000
+  /// points, scattered off its surface.
+  std::size_t strays = 0;
+  double center[3] = {};  ///< centroid, the user's unit
+  double radius = 0;      ///< largest distance from it, the user's unit
   /// (p - center) / radius: all finite points but strays or, for a large cloud, their centroids in
   /// voxels far smaller than those of any downsampled cloud.
   Cloud base;
@@ -47,6 +49,8 @@ class PreprocessedCloud {
   double spacing() const;
 
  private:
+  void leave_out_scattered();
+
   const std::string title_;
   Cloud all_points_;                  ///< the finite points of a downsampled cloud that keeps them
   bool whole_ = false;                ///< the base points are all points

@@ -150,4 +150,48 @@ TEST(Strays, HaveTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(one.base.x, three.base.x);
 }
 
+/// A sphere of 1500 points, a NaN before them, and 600 points all over its box.
+Packed sphere_in_outliers() {
+  Packed packed = {NAN, 0, 0};
+  scatter(packed, 1500, 1, 1);
+  const Packed outliers = box(600);
+  packed.insert(packed.end(), outliers.begin(), outliers.end());
+  return packed;
+}
+
+TEST(Strays, PointsScatteredOffASmallSurfaceAreAmongThem) {
+  const auto cloud = preprocess(sphere_in_outliers());
+  EXPECT_EQ(cloud.count, 2100u);
+  EXPECT_EQ(cloud.dropped, 1u);
+  EXPECT_GT(cloud.strays, 250u);
+  EXPECT_EQ(cloud.base.size(), cloud.count - cloud.strays);
+  std::size_t strays = 0;
+  for (std::size_t row = 0; row < cloud.rows(); ++row) {
+    float p[3];
+    const bool found = cloud.find(row, p);
+    EXPECT_EQ(found, row != 0 && !cloud.is_stray(row));
+    if (found && row <= 1500) {
+      EXPECT_NEAR(std::hypot(p[0], p[1], p[2]) * cloud.radius, 1, 0.2);
+    }
+    strays += cloud.is_stray(row);
+  }
+  EXPECT_EQ(strays, cloud.strays);
+}
+
+TEST(Strays, NormalsOfScatteredPointsAreLeftOutToo) {
+  const Packed points = sphere_in_outliers();
+  emtr_cloud cloud = view(points);
+  cloud.normals = points.data();  // the sphere's are its points
+  const emtr::PreprocessedCloud preprocessed(cloud, "", 1);
+  ASSERT_EQ(preprocessed.normals.size(), preprocessed.base.size());
+  std::size_t of_sphere = 0;
+  for (std::size_t i = 0; i < preprocessed.base.size(); ++i) {
+    const double radius = preprocessed.radius;
+    const double x = preprocessed.base.x[i] * radius + preprocessed.center[0];
+    of_sphere += std::abs(x - double{preprocessed.normals.x[i]}) < 1e-5;
+  }
+  EXPECT_GT(of_sphere, 1450u);
+  EXPECT_LT(preprocessed.base.size(), 1850u);
+}
+
 }  // namespace
