@@ -13,9 +13,10 @@ from scipy.spatial.transform import Rotation
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "tools" / "bench"))
 
-from emtr_bench.pairs import REPOSITORY
+from emtr_bench import accuracy, arguments
+from emtr_bench.layout import write_ply
+from emtr_bench.locations import REPOSITORY
 from emtr_bench.runner import Options, Outcome
-from emtr_bench.sample import write_ply
 
 from pyemtr.alternative import Alternative
 
@@ -45,6 +46,11 @@ def write_data(folder):
         np.savetxt(place / "T_gt.txt", T_gt, fmt="%.10g")
     (folder / "MANIFEST.csv").write_text("\n".join(lines) + "\n")
     return folder
+
+
+def run_accuracy(words, engine):
+    """The benchmark as its command runs it; the exit code."""
+    return accuracy.accuracy(arguments.parser().parse_args(words), engine)
 
 
 def least_squares_pose(source, target):

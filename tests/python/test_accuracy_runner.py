@@ -8,14 +8,14 @@ import accuracy_fakes
 import numpy as np
 import pytest
 from accuracy_fakes import FakeEngine, Options
-from emtr_bench import pairs, protocol, runner, summary
+from emtr_bench import layout, pairs, protocol, runner, summary
 from emtr_bench.paper_tables import ROWS, row_of
-from emtr_bench.sensors import sensors_known
+from emtr_bench.sensors import sensor_positions
 
 
 @pytest.fixture
 def manifest(tmp_path):
-    return pairs.read_manifest(accuracy_fakes.write_data(tmp_path))
+    return layout.read_folder(accuracy_fakes.write_data(tmp_path))
 
 
 def run_all(manifest, transforms=5, engine=None, jobs=1):
@@ -150,7 +150,7 @@ def test_where_the_sensors_stood_is_known_of_some(tmp_path):
     found = [
         name
         for name, group in NAMES.items()
-        if sensors_known(pairs.Pair(name, "standard", tmp_path, group=group))
+        if sensor_positions(pairs.Pair(name, "standard", tmp_path, group=group)) is not None
     ]
     assert found == ["chef_01_05", "kitti_05_00", "kitchen_1_0_3dmatch"]
 
@@ -172,6 +172,18 @@ def test_the_sensors_move_with_the_scans(manifest):
         )
         assert np.linalg.norm(sensors.source) > 1  # it has moved
         np.testing.assert_array_equal(sensors.target, 0)
+
+
+def test_a_file_says_where_the_sensors_stood(manifest):
+    pair = manifest[0]
+    (pair.folder / "viewpoints.txt").write_text("1 2 3\n4 5 6\n")
+    case = runner.moved(pair, 1)
+    raw = pairs.load(pair).source
+    np.testing.assert_allclose(
+        np.linalg.norm(case.source - case.sensors.source, axis=1),
+        np.linalg.norm(raw - [1.0, 2.0, 3.0], axis=1),
+    )
+    np.testing.assert_array_equal(case.sensors.target, [4.0, 5.0, 6.0])
 
 
 def test_the_mean_weighs_pairs_alike_and_leaves_out_what_is_not_known(manifest):

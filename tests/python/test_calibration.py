@@ -7,7 +7,6 @@ import accuracy_fakes
 import numpy as np
 import pytest
 from accuracy_fakes import FakeEngine
-from emtr_bench import accuracy
 from emtr_bench.calibration import program
 from emtr_bench.calibration.arguments import parser
 from emtr_bench.calibration.figures import calibration, share
@@ -75,7 +74,9 @@ def files(data, tmp_path):
     words = [["--seed", "0", "--unrelated", "2"], ["--seed", "5"], ["--preset", "paper"]]
     for path, more in zip(paths, words):
         engine = FakeEngine(spoiled={1: (90.0, 0.0)}, crashing=(2,))
-        accuracy.main(["--tier", "all", "--transforms", "4", "--json", str(path), *more], engine)
+        accuracy_fakes.run_accuracy(
+            ["--tier", "all", "--transforms", "4", "--json", str(path), *more], engine
+        )
     return paths
 
 
@@ -127,7 +128,15 @@ def test_makes_the_runs_when_it_is_given_none(data, capsys):
     assert crashed == 1
 
 
-def test_without_data_nothing_is_judged(monkeypatch, capsys):
-    monkeypatch.setenv("EMTR_DATA", "/nowhere")
-    assert program.calibration(parser().parse_args([]), FakeEngine()) == 2
-    assert "EMTR_DATA" in capsys.readouterr().err
+@pytest.mark.parametrize(
+    "words", [["--data", "/nowhere"], ["--presets", "best"], ["--tier", "nice"], ["none.json"]]
+)
+def test_an_error_names_this_program_and_not_the_one_that_it_runs(data, capsys, words):
+    assert program.calibration(parser().parse_args(words), FakeEngine()) == 2
+    assert capsys.readouterr().err.startswith("calibration: ")
+
+
+def test_the_pairs_are_chosen_as_elsewhere(data, capsys):
+    words = ["--transforms", "2", "--pair", "duck", "hare"]
+    assert program.calibration(parser().parse_args(words), FakeEngine()) == 0
+    assert "preset default: 6 runs, 2 of them" in capsys.readouterr().out

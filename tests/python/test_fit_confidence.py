@@ -7,7 +7,6 @@ import accuracy_fakes
 import numpy as np
 import pytest
 from accuracy_fakes import FakeEngine
-from emtr_bench import accuracy
 from emtr_bench.fit_confidence import program
 from emtr_bench.fit_confidence.arguments import parser
 from emtr_bench.fit_confidence.model import fit
@@ -68,7 +67,7 @@ def runs(tmp_path, monkeypatch):
     monkeypatch.setenv("EMTR_DATA", str(accuracy_fakes.write_data(tmp_path)))
     path = tmp_path / "runs.json"
     words = ["--tier", "all", "--transforms", "3", "--unrelated", "2", "--json", str(path)]
-    accuracy.main(words, FakeEngine(spoiled={1: (90.0, 0.0)}))
+    accuracy_fakes.run_accuracy(words, FakeEngine(spoiled={1: (90.0, 0.0)}))
     return path
 
 
@@ -96,6 +95,11 @@ def test_prints_and_writes_the_model(runs, tmp_path, capsys):
 def test_makes_the_runs_when_it_is_given_none(runs, capsys):
     assert program.fit_confidence(parser().parse_args(["--smoke"]), FakeEngine()) == 0
     assert "fitted to" in capsys.readouterr().out
+
+
+def test_an_error_names_this_program_and_not_the_one_that_it_runs(runs, capsys):
+    assert program.fit_confidence(parser().parse_args(["--tier", "nice"]), FakeEngine()) == 2
+    assert capsys.readouterr().err.startswith("fit_confidence: --tier nice: no such tier")
 
 
 def test_what_is_no_such_file_is_named(tmp_path, capsys):

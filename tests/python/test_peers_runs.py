@@ -6,7 +6,7 @@ import math
 import accuracy_fakes
 import numpy as np
 import pytest
-from emtr_bench import pairs, protocol, records
+from emtr_bench import layout, pairs, protocol, records
 from emtr_bench.peers import methods, output, runs, summary, tables, units, voxel
 from emtr_bench.peers.runs import Options, PeerRun
 from emtr_bench.peers.summary import Quartiles
@@ -18,7 +18,7 @@ OPTIONS = Options(transforms=3, threads=1, limit=20.0, seed=0, voxel_points=30)
 @pytest.fixture(scope="module")
 def measured(tmp_path_factory):
     """Three pairs, three motions, five methods of which four go wrong in motion 1."""
-    manifest = pairs.read_manifest(accuracy_fakes.write_data(tmp_path_factory.mktemp("data")))
+    manifest = layout.read_folder(accuracy_fakes.write_data(tmp_path_factory.mktemp("data")))
     known = [FakeMethod("emtr-paper")]
     known += [
         FakeMethod(f"peer+{how}", how, 1) for how in ("segfault", "skew", "rotate", "translate")

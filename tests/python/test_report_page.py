@@ -6,7 +6,7 @@ from pathlib import Path
 
 import accuracy_fakes
 from accuracy_fakes import FakeEngine
-from emtr_bench import accuracy, pairs, records
+from emtr_bench import layout, records
 from emtr_bench.calibration.figures import calibration
 from emtr_bench.calibration.judged import Judged
 from emtr_bench.peers import output, runs
@@ -74,12 +74,12 @@ def test_what_was_not_measured_is_said(tmp_path):
 def test_accuracy_is_rendered_from_its_own_json(tmp_path, monkeypatch):
     monkeypatch.setenv("EMTR_DATA", str(accuracy_fakes.write_data(tmp_path)))
     parts = parts_of(tmp_path)
-    accuracy.main(["--tier", "all", "--transforms", "5", "--json", str(parts[1].json)],
-                  FakeEngine(spoiled={3: (90.0, 0.0)}))  # fmt: skip
+    words = ["--tier", "all", "--transforms", "5", "--json", str(parts[1].json)]
+    accuracy_fakes.run_accuracy(words, FakeEngine(spoiled={3: (90.0, 0.0)}))
     keep(parts[1], json.loads(parts[1].json.read_text()))
     text = text_of(parts, tmp_path)
     assert "| paper | 2 | 10 | 80.0 | 80.0 |" in text and "| all | 3 | 15 | 80.0 |" in text
-    accuracy.main(["--transforms", "5", "--json", str(parts[0].json)], FakeEngine())
+    accuracy_fakes.run_accuracy(["--transforms", "5", "--json", str(parts[0].json)], FakeEngine())
     keep(parts[0], json.loads(parts[0].json.read_text()))
     assert "| hare | 100.0 | Bunny | 0.000 | 0.233 |" in text_of(parts, tmp_path)
 
@@ -96,7 +96,7 @@ def test_calibration_is_rendered_from_its_own_json(tmp_path):
 
 
 def test_peers_are_rendered_from_their_own_json(tmp_path):
-    manifest = pairs.read_manifest(accuracy_fakes.write_data(tmp_path))[:1]
+    manifest = layout.read_folder(accuracy_fakes.write_data(tmp_path))[:1]
     options = runs.Options(2, 1, 20.0, 0, 30)
     methods = [FakeMethod("emtr-paper"), FakeMethod("peer+x", "raise", 1)]
     measured = [run for done in runs.measure(manifest, methods, options) for run in done]

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import argparse
 import sys
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Protocol
 
 from . import accuracy_text, pairings, queries, records, summary, unrelated
-from .arguments import parser
-from .pairs import DataError, Pair, data_folder, read_manifest, select
+from .data import chosen, related
+from .pairs import DataError, Pair
 from .runner import Array, Options, Outcome, Run, Sensors, run_all
-from .sample import sample_pair
 
 SMOKE_PAIRS, SMOKE_TRANSFORMS = 2, 2
 
@@ -43,19 +40,32 @@ class Plan:
     options: Options
 
 
-def main(argv: list[str], engine: Engine) -> int:
-    arguments = parser().parse_args(argv)
-    measure = check_queries if arguments.queries else measure_accuracy
+def accuracy(arguments: argparse.Namespace, engine: Engine) -> int:
+    """Does what the command line says; gives the exit code."""
     try:
-        options = make_options(arguments, engine)
-        with tempfile.TemporaryDirectory() as scratch:
-            pairs, transforms = choose(arguments, Path(scratch))
-            apart = pairings.choose(pairs, arguments.unrelated)
-            plan = Plan(pairs, apart, transforms, arguments.jobs, options)
-            return measure(plan, arguments, engine)
+        return measure(arguments, engine)
     except DataError as error:
         print(f"accuracy: {error}", file=sys.stderr)
         return 2
+
+
+def measure(arguments: argparse.Namespace, engine: Engine) -> int:
+    """The same for another program, which gets the DataError and tells it under its own name."""
+    options = make_options(arguments, engine)
+    pairs = chosen(arguments)
+    transforms = arguments.transforms
+    apart = [] if arguments.smoke or arguments.queries else pairings.given(pairs)
+    pairs = related(pairs)
+    if arguments.smoke:
+        pairs = sorted(pairs, key=lambda pair: pair.size)[:SMOKE_PAIRS]
+        transforms = min(transforms, SMOKE_TRANSFORMS)
+    made = pairings.choose(pairs, arguments.unrelated)
+    if len(made) < arguments.unrelated:
+        print(f"--unrelated {arguments.unrelated}: the chosen pairs make {len(made)} pairings of "
+              "scans that do not belong together, and no more")  # fmt: skip
+    apart += made
+    plan = Plan(pairs, apart, transforms, arguments.jobs, options)
+    return (check_queries if arguments.queries else measure_accuracy)(plan, arguments, engine)
 
 
 def make_options(arguments: argparse.Namespace, engine: Engine) -> Options:
@@ -73,25 +83,6 @@ def make_options(arguments: argparse.Namespace, engine: Engine) -> Options:
     except ValueError as error:
         raise DataError(str(error)) from error
     return options
-
-
-def choose(arguments: argparse.Namespace, scratch: Path) -> tuple[list[Pair], int]:
-    """The pairs and how many transforms each; the smoke test takes the smallest few."""
-    tiers = [tier for group in arguments.tier or [["paper"]] for tier in group]
-    names = [name for group in arguments.pair or [] for name in group]
-    try:
-        folder = data_folder(arguments.data)
-    except DataError as error:
-        if not arguments.smoke:
-            raise
-        print(f"accuracy: {error}; the generated pair stands in")
-        pairs = [sample_pair(scratch)]
-    else:
-        pairs = select(read_manifest(folder), tiers, names)
-    if not arguments.smoke:
-        return pairs, arguments.transforms
-    smallest = sorted(pairs, key=lambda pair: pair.size)[:SMOKE_PAIRS]
-    return smallest, min(arguments.transforms, SMOKE_TRANSFORMS)
 
 
 def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> int:

@@ -6,6 +6,8 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from .pair_arguments import WHERE, add_pair_options
+
 if TYPE_CHECKING:  # the command line is read before it is known that numpy is there
     from .runner import Setting
 
@@ -18,21 +20,21 @@ EPILOG = """examples:
   accuracy --tier paper --queries                 the cost against the paper's formula
 
 exit code: 0; 1 when a run crashed or, with --require, a mark was missed; 2 when nothing
-could be run (no test data, no pyemtr, a bad argument)."""
+could be run (a bad pair, no pyemtr, a bad argument)."""
 
 
-def parser() -> argparse.ArgumentParser:
+def parser(program: str = "accuracy") -> argparse.ArgumentParser:
+    """`program` is the one that the user has called."""
     made = argparse.ArgumentParser(
-        prog="accuracy",
+        prog=program,
         description="Success, errors, cost and time of emtr on pairs with ground truth, by the "
         "paper's protocol, beside the paper's figures.",
-        epilog=EPILOG,
+        epilog=f"{WHERE}\n\n{EPILOG}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = made.add_argument
     add("--preset", help="preset of the library (default: default; paper with --queries)")
-    add("--tier", action="append", nargs="+", metavar="TIER", help="tiers, or all (default: paper)")
-    add("--pair", action="append", nargs="+", metavar="NAME", help="these pairs, whatever tier")
+    add_pair_options(made, "paper")
     add("--transforms", type=positive, default=20, metavar="N", help="motions a pair (default: 20)")
     add("--seed", type=natural, default=0, help="run i of a pair has seed SEED + i (default: 0)")
     add("--set", action="append", type=setting, default=[], metavar="NAME=VALUE",
@@ -50,7 +52,6 @@ def parser() -> argparse.ArgumentParser:
     )
     add("--unrelated", type=natural, default=0, metavar="N",
         help="then N pairings of scans that do not belong together")  # fmt: skip
-    add("--data", metavar="DIR", help="folder with MANIFEST.csv (default: EMTR_DATA)")
     add("--json", type=Path, metavar="FILE", help="write every run to FILE")
     add("--failures", action="store_true",
         help="list the runs that failed, and whether the search or the objective did")  # fmt: skip
@@ -62,7 +63,7 @@ def parser() -> argparse.ArgumentParser:
     add("--require", action="store_true", help="exit 1 when the pairs miss the paper's marks, or "
         "unrelated scans are called registered")  # fmt: skip
     add("--smoke", action="store_true",
-        help="2 small pairs x 2 transforms; a generated pair where there are no data")  # fmt: skip
+        help="2 small pairs x 2 transforms")  # fmt: skip
     return made
 
 

@@ -5,15 +5,29 @@ from __future__ import annotations
 import importlib.util
 import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 from .locations import REPOSITORY
 
+#: Names of modules that a package index has under another name.
+_PACKAGES = {"sklearn": "scikit-learn"}
+
+
+def require(program: str, *modules: str, environment: Callable[[], Path] | None = None) -> None:
+    """Goes on with a Python that has the modules: this one, or that of build/venv, or the one that
+    `environment` makes. Where there is none it says so, and what to do, and exits with 2."""
+    try:
+        _go_on_with(environment() if environment else python_with(*modules))
+    except OSError as failure:
+        print(f"{program}: {failure}", file=sys.stderr)
+        sys.exit(2)
+
 
 def python_with(*modules: str) -> Path:
-    """Returns this interpreter, or else the one of the environment that tools/check makes.
+    """Returns this interpreter, or else the one of build/venv.
 
-    Raises FileNotFoundError when neither has the modules.
+    Raises FileNotFoundError, which names the next step, when neither has the modules.
     """
     missing = [name for name in modules if importlib.util.find_spec(name) is None]
     if not missing:
@@ -21,25 +35,25 @@ def python_with(*modules: str) -> Path:
     made = REPOSITORY / "build" / "venv" / "bin" / "python"
     if not made.exists() or _is_running(made):
         raise FileNotFoundError(
-            f"{sys.executable} has no {' and no '.join(missing)}: run tools/check, which makes "
-            f"{made.parents[1]}, or pip install '{REPOSITORY}[test]'"
+            f"{sys.executable} has no {' and no '.join(missing)}. Install what is missing by\n"
+            f"  {_installation(made, missing)}\nand run this again: it finds that environment."
         )
     return made
 
 
-def go_on_with(python: Path) -> None:
+def _installation(made: Path, missing: list[str]) -> str:
+    """The line of shell that puts the modules into build/venv."""
+    packages = [_PACKAGES.get(name, name) for name in missing]
+    if "pyemtr" in packages:  # with all that the benchmarks need
+        packages = [f"'{REPOSITORY}[bench]'"]
+    make = "" if made.exists() else f"python3 -m venv '{made.parents[1]}' && "
+    return f"{make}'{made}' -m pip install {' '.join(packages)}"
+
+
+def _go_on_with(python: Path) -> None:
     """Runs this command again with another interpreter, unless it is that one already."""
     if not _is_running(python):
         os.execv(python, [str(python), *sys.argv])
-
-
-def require(program: str, *modules: str) -> None:
-    """Goes on with a Python that has the modules; says so and exits with 2 where there is none."""
-    try:
-        go_on_with(python_with(*modules))
-    except OSError as failure:
-        print(f"{program}: {failure}", file=sys.stderr)
-        sys.exit(2)
 
 
 def _is_running(python: Path) -> bool:

@@ -24,7 +24,7 @@ from pyemtr.metrics import (
 from . import priors, protocol
 from .jobs import side_by_side
 from .pairs import Clouds, Pair, load
-from .sensors import sensors_known
+from .sensors import sensor_positions
 
 Array = NDArray[np.float64]
 Setting = Union[int, float, str, Array]
@@ -130,9 +130,10 @@ def moved(pair: Pair, index: int) -> Moved:
     clouds, aligned, scale = _preprocessed(pair)
     motion = protocol.motion(pair.name, index, aligned)
     sensors = None
-    if sensors_known(pair):
-        # At the origin of each scan's own coordinates; the source's moves with the source.
-        sensors = Sensors((motion.matrix @ clouds.T_gt)[:3, 3], np.zeros(3))
+    places = sensor_positions(pair)
+    if places is not None:  # the source's moves with the source
+        place = protocol.apply(motion.matrix @ clouds.T_gt, places[:1])[0]
+        sensors = Sensors(place, places[1])
     source = protocol.apply(motion.matrix, aligned)
     return Moved(source, clouds.target, motion, scale, sensors)
 

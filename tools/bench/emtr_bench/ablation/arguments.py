@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from ..arguments import natural, positive
+from ..pair_arguments import WHERE, add_pair_options
 from .variants import VARIANTS
 
 EPILOG = """Joint success (E_R < 5 degrees and E_t < 0.06) by tier, with each part off in turn: of
@@ -21,20 +22,18 @@ def parser() -> argparse.ArgumentParser:
     made = argparse.ArgumentParser(
         prog="ablation",
         description="Success on pairs with known poses with each part of the method off in turn.",
-        epilog=EPILOG,
+        epilog=f"{WHERE}\n\n{EPILOG}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = made.add_argument
     add("--preset", default="default", help="of the library (default: default)")
-    add("--tier", nargs="+", default=["all"], metavar="TIER", help="tiers (default: all)")
+    add_pair_options(made, "all")
     add("--part", nargs="+", metavar="PART", choices=sorted({v.part for v in VARIANTS}),
         help="these parts only, beside nothing")  # fmt: skip
     add("--transforms", type=positive, default=1, metavar="N", help="motions a pair (default: 1)")
     add("--seed", type=natural, default=0, help="run i of a pair has seed SEED + i (default: 0)")
     add("--jobs", type=positive, default=1, help="processes side by side (default: 1)")
     add("--threads", type=natural, default=0, help="threads a process (default: 0, all)")
-    add("--data", metavar="DIR", help="folder with MANIFEST.csv (default: EMTR_DATA)")
     add("--json", type=Path, metavar="FILE", help="write the figures to FILE")
-    add("--smoke", action="store_true",
-        help="the smallest pair once; a generated pair where there are no data")  # fmt: skip
+    add("--smoke", action="store_true", help="the smallest pair once")
     return made

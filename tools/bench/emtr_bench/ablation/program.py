@@ -5,15 +5,13 @@ from __future__ import annotations
 import argparse
 import statistics
 import sys
-import tempfile
-from pathlib import Path
 from typing import Any
 
 from .. import machine, records
 from ..accuracy import Engine
-from ..pairs import DataError, Pair, data_folder, read_manifest, select
+from ..data import chosen, related
+from ..pairs import DataError, Pair
 from ..runner import Options, Run, run_all
-from ..sample import sample_pair
 from .variants import VARIANTS, Variant
 
 
@@ -25,11 +23,10 @@ def ablation(arguments: argparse.Namespace, engine: Engine) -> int:
     ]  # fmt: skip
     found = machine.describe(("pyemtr", "numpy"))
     try:
-        with tempfile.TemporaryDirectory() as scratch:
-            pairs, transforms = choose(arguments, Path(scratch))
-            for variant in variants:
-                engine.check(_options(variant, arguments))
-            rows = _measure(variants, pairs, transforms, arguments, engine)
+        pairs, transforms = choose(arguments)
+        for variant in variants:
+            engine.check(_options(variant, arguments))
+        rows = _measure(variants, pairs, transforms, arguments, engine)
     except (DataError, ValueError) as error:
         print(f"ablation: {error}", file=sys.stderr)
         return 2
@@ -44,16 +41,9 @@ def ablation(arguments: argparse.Namespace, engine: Engine) -> int:
     return int(any(row["crashed"] for row in rows))
 
 
-def choose(arguments: argparse.Namespace, scratch: Path) -> tuple[list[Pair], int]:
+def choose(arguments: argparse.Namespace) -> tuple[list[Pair], int]:
     """The pairs and how many motions each."""
-    try:
-        folder = data_folder(arguments.data)
-    except DataError as error:
-        if not arguments.smoke:
-            raise
-        print(f"ablation: {error}; the generated pair stands in")
-        return [sample_pair(scratch)], 1
-    pairs = select(read_manifest(folder), arguments.tier, [])
+    pairs = related(chosen(arguments))
     if arguments.smoke:
         return [min(pairs, key=lambda pair: pair.size)], 1
     return pairs, arguments.transforms

@@ -9,6 +9,8 @@ import tempfile
 from pathlib import Path
 
 from .. import accuracy, records
+from ..arguments import parser
+from ..pair_arguments import pair_words
 from ..pairs import DataError
 from .figures import calibration as figures_of
 from .judged import read
@@ -22,8 +24,6 @@ def calibration(arguments: argparse.Namespace, engine: accuracy.Engine) -> int:
             files, status = arguments.files, 0
             if not files:
                 files, status = make(arguments, engine, Path(scratch))
-            if status == 2:
-                return status
             presets = read(files)
     except DataError as error:
         print(f"calibration: {error}", file=sys.stderr)
@@ -53,8 +53,11 @@ def make(
         if arguments.smoke:
             words.append("--smoke")
         else:
-            words += ["--tier", "all", "--transforms", str(arguments.transforms),
+            words += ["--transforms", str(arguments.transforms),
                       "--unrelated", str(arguments.unrelated)]  # fmt: skip
-        status = max(status, accuracy.main(words, engine))
+        words += [] if arguments.tier or arguments.pair else ["--tier", "all"]
+        words += pair_words(arguments)
+        made = accuracy.measure(parser("calibration").parse_args(words), engine)
+        status = max(status, made)
         print()
     return files, status

@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from ..arguments import positive
+from ..arguments import natural, positive
+from ..pair_arguments import WHERE, add_pair_options
 
 EPILOG = """examples:
   accuracy --tier all --transforms 4 --unrelated 200 --json runs.json
@@ -24,7 +25,7 @@ def parser() -> argparse.ArgumentParser:
     made = argparse.ArgumentParser(
         prog="fit_confidence",
         description="Fits the confidence to runs with known poses, cross-validated by source.",
-        epilog=EPILOG,
+        epilog=f"{EPILOG}\n\n{WHERE}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = made.add_argument
@@ -34,10 +35,12 @@ def parser() -> argparse.ArgumentParser:
         "or whose published pose is none")  # fmt: skip
     add("--minimum", type=float, default=0.5, metavar="P",
         help="confidence from which on a pose is called registered (default: 0.5)")  # fmt: skip
+    add_pair_options(made, "all")
     add("--transforms", type=positive, default=4, metavar="N",
         help="motions a pair, when there is no file (default: 4)")  # fmt: skip
+    add("--unrelated", type=natural, default=200, metavar="N", help="pairings of scans that do "
+        "not belong together, when there is no file (default: 200)")  # fmt: skip
     add("--bins", type=positive, default=10, help="of the confidence (default: 10)")
     add("--json", type=Path, metavar="FILE", help="write the model and its figures to FILE")
-    add("--smoke", action="store_true", help="of 2 small pairs or a generated one, when there is "
-        "no file")  # fmt: skip
+    add("--smoke", action="store_true", help="of 2 small pairs, when there is no file")
     return made

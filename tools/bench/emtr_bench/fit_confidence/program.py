@@ -9,7 +9,9 @@ import tempfile
 from pathlib import Path
 
 from .. import accuracy, records
+from ..arguments import parser
 from ..calibration.tables import text as calibration_text
+from ..pair_arguments import pair_words
 from ..pairs import DataError
 from .model import Fitted, fit
 from .samples import TERMS, Sample, read
@@ -22,9 +24,8 @@ def fit_confidence(arguments: argparse.Namespace, engine: accuracy.Engine) -> in
             files, status = arguments.files, 0
             if not files:
                 file = Path(scratch) / "runs.json"
-                files, status = [file], accuracy.main(_words(arguments, file), engine)
-            if status == 2:
-                return status
+                words = parser("fit_confidence").parse_args(_words(arguments, file))
+                files, status = [file], accuracy.measure(words, engine)
             samples = read(files, arguments.leave_out)
             fitted = fit(samples, arguments.minimum, arguments.bins)
     except DataError as error:
@@ -48,7 +49,9 @@ def text(fitted: Fitted, samples: list[Sample]) -> str:
 
 
 def _words(arguments: argparse.Namespace, file: Path) -> list[str]:
+    words = ["--json", str(file), *pair_words(arguments)]
+    words += [] if arguments.tier or arguments.pair else ["--tier", "all"]
     if arguments.smoke:
-        return ["--smoke", "--json", str(file)]
-    return ["--tier", "all", "--transforms", str(arguments.transforms), "--unrelated", "200",
-            "--json", str(file)]  # fmt: skip
+        return [*words, "--smoke"]
+    return [*words, "--transforms", str(arguments.transforms),
+            "--unrelated", str(arguments.unrelated)]  # fmt: skip

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import itertools
 import json
 import sys
+from collections.abc import Iterator
 from statistics import median
 from typing import Any
 
@@ -13,8 +15,11 @@ import numpy as np
 from pyemtr.metrics import rotation_error
 
 from .. import machine
+from ..data import chosen
+from ..pair_arguments import asks_for_pairs
+from ..pairs import FILES, DataError, read_ply
 from ..whole_file import write_whole
-from .cases import make_case, unit_cube
+from .cases import Array, make_case, unit_cube
 from .solvers import PUBLISHED, Answer, Solver, emtr_solver, teaser_solver
 
 RIGHT_DEGREES, RIGHT_DISTANCE = 10.0, 0.1
@@ -24,41 +29,53 @@ def matches(arguments: argparse.Namespace) -> int:
     """Does what the command line says; gives the exit code."""
     if arguments.smoke:
         arguments.counts, arguments.outliers, arguments.cases = [50, 300], [0.0, 0.9, 1.0], 2
-    cloud = None
-    if arguments.cloud:
-        from plyfile import PlyData
-
-        try:
-            vertex = PlyData.read(str(arguments.cloud))["vertex"]
-        except OSError as error:
-            print(f"matches: {error}", file=sys.stderr)
-            return 2
-        cloud = unit_cube(np.column_stack([vertex[axis] for axis in "xyz"]).astype(float))
+    try:
+        clouds = clouds_of(arguments)
+    except DataError as error:
+        print(f"matches: {error}", file=sys.stderr)
+        return 2
     solvers: dict[str, Solver] = {"emtr": emtr_solver(arguments.threads)}
     teaser = teaser_solver(arguments.noise)
     if teaser:
         solvers["TEASER++"] = teaser
     else:
         print(PUBLISHED)
-    print(HEAD, flush=True)
     rows = []
-    for count in arguments.counts:
-        for outliers in arguments.outliers:
-            cases = [
-                make_case(count, outliers, arguments.noise, seed, cloud)
-                for seed in range(arguments.cases)
-            ]
-            for name, solve in solvers.items():
-                answers = [(solve(case), case.truth) for case in cases]
-                rows.append({"solver": name, "count": count, "outliers": outliers}
-                            | summary(answers))  # fmt: skip
-                print(line(rows[-1]), flush=True)
+    for name, cloud in clouds.items():
+        print(f"{name}\n{HEAD}" if name else HEAD, flush=True)
+        rows += [{"cloud": name, **row} for row in solve_all(cloud, solvers, arguments)]
     if arguments.json:
         value = {"benchmark": "matches", "machine": machine.describe(("pyemtr", "numpy")),
                  "noise": arguments.noise, "cases": arguments.cases, "rows": rows}  # fmt: skip
         write_whole(arguments.json, json.dumps(value, indent=1) + "\n")
         print(f"wrote {arguments.json}")
     return int(any(row["solver"] == "emtr" and row["wrong"] for row in rows))
+
+
+def clouds_of(arguments: argparse.Namespace) -> dict[str, Array | None]:
+    """Where the points are from, by name: "" and None for points made on the spot."""
+    if arguments.cloud:
+        return {str(arguments.cloud): unit_cube(read_ply(arguments.cloud))}
+    if not asks_for_pairs(arguments):
+        return {"": None}
+    pairs = chosen(arguments)
+    return {pair.name: unit_cube(read_ply(pair.folder / FILES[1])) for pair in pairs}
+
+
+def solve_all(
+    cloud: Array | None, solvers: dict[str, Solver], arguments: argparse.Namespace
+) -> Iterator[dict[str, Any]]:
+    """A row for each kind of case and solver, printed as it is done."""
+    for count, outliers in itertools.product(arguments.counts, arguments.outliers):
+        cases = [
+            make_case(count, outliers, arguments.noise, seed, cloud)
+            for seed in range(arguments.cases)
+        ]
+        for name, solve in solvers.items():
+            answers = [(solve(case), case.truth) for case in cases]
+            row = {"solver": name, "count": count, "outliers": outliers, **summary(answers)}
+            print(line(row), flush=True)
+            yield row
 
 
 def summary(answers: list[tuple[Answer, Any]]) -> dict[str, float]:
@@ -69,13 +86,13 @@ def summary(answers: list[tuple[Answer, Any]]) -> dict[str, float]:
     ]
     right = [
         angle < RIGHT_DEGREES and distance < RIGHT_DISTANCE
-        for angle, distance in zip(degrees, distances, strict=True)
+        for angle, distance in zip(degrees, distances)
     ]
     registered = [answer.registered for answer, _ in answers]
     return {
         "right": sum(right),
         "registered": sum(registered),
-        "wrong": sum(r and not ok for r, ok in zip(registered, right, strict=True)),
+        "wrong": sum(r and not ok for r, ok in zip(registered, right)),
         "cases": len(answers),
         "degrees": median(degrees),
         "distance": median(distances),

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from ..arguments import natural, positive
+from ..pair_arguments import WHERE, add_pair_options
 
 # Too coarse a voxel costs the other libraries successes, too fine a one time. With this many
 # points they have the most successes on the paper's pairs for the least time.
@@ -16,7 +17,7 @@ tools/bench/peers-requirements.txt, into a virtual environment of their own.
 
 examples:
   peers --tier paper --transforms 4                  everything on the paper's pairs
-  peers --only emtr kiss-matcher --pairs trex_03_01  one pair, all presets and two rows
+  peers --only emtr kiss-matcher --pair trex_03_01  one pair, all presets and two rows
 
 exit code: 0; 1 when a preset of emtr crashed; 2 when nothing could be run."""
 
@@ -27,13 +28,11 @@ def parser() -> argparse.ArgumentParser:
         description="emtr against Open3D (RANSAC, FGR) and KISS-Matcher, each finished by "
         "point-to-plane ICP (Open3D) or by GICP (small_gicp): success, errors and wall time on "
         "the same pairs, motions and number of threads, in turns.",
-        epilog=EPILOG,
+        epilog=f"{WHERE}\n\n{EPILOG}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = made.add_argument
-    add("--tier", nargs="+", default=["paper"], metavar="TIER", help="tiers, or all "
-        "(default: paper)")  # fmt: skip
-    add("--pairs", nargs="+", default=[], metavar="NAME", help="these pairs, whatever tier")
+    add_pair_options(made, "paper")
     add("--transforms", type=positive, default=4, metavar="N", help="motions a pair (default: 4)")
     add("--presets", nargs="+", metavar="NAME", help="of emtr (default: all that there are)")
     add("--only", nargs="+", default=[], metavar="METHOD",
@@ -45,11 +44,10 @@ def parser() -> argparse.ArgumentParser:
     add("--voxel-points", type=positive, default=VOXEL_POINTS, metavar="N",
         help="the voxel given to the other libraries leaves N points in both clouds together "
         f"(default: {VOXEL_POINTS})")  # fmt: skip
-    add("--data", metavar="DIR", help="folder with MANIFEST.csv (default: EMTR_DATA)")
     add("--json", type=Path, metavar="FILE", help="write every run to FILE")
     add("--venv", type=Path, metavar="DIR", help="where the other libraries are installed "
         "(default: build/venv-peers)")  # fmt: skip
     add("--smoke", action="store_true",
-        help="one motion of the generated pair; installs nothing, and leaves out what is "
+        help="one motion of the smallest pair; installs nothing, and leaves out what is "
         "missing")  # fmt: skip
     return made

@@ -14,16 +14,19 @@ from pathlib import Path
 from ..locations import REPOSITORY
 
 REQUIREMENTS = REPOSITORY / "tools" / "bench" / "peers-requirements.txt"
+FOLDER = REPOSITORY / "build" / "venv-peers"
 #: What pyemtr is built from; any change there means a new installation.
 SOURCES = ("pyproject.toml", "setup.py", "CMakeLists.txt", "libemtr", "pyemtr")
 
 
-class EnvironmentFailure(Exception):
+class EnvironmentFailure(OSError):
     """The environment could not be made; the message says which command failed."""
 
 
-def make_environment(folder: Path) -> Path:
-    """Makes or updates the environment and gives its interpreter. Quick when all is there."""
+def make_environment(folder: Path | None = None) -> Path:
+    """Makes or updates the environment in a folder (default: FOLDER) and gives its interpreter.
+    Quick when all is there. Raises EnvironmentFailure."""
+    folder = (folder or FOLDER).absolute()
     python = folder / "bin" / "python"
     stamp = folder / "peers.stamp"
     libraries, sources = fingerprint([REQUIREMENTS]), fingerprint(source_files())

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import argparse
 import sys
-import tempfile
-from pathlib import Path
 
 import pyemtr
 
 from .. import machine, records
-from ..pairs import DataError, Pair, data_folder, read_manifest, select
-from ..sample import sample_pair
+from ..data import chosen, related
+from ..pairs import DataError, Pair
 from . import methods, output, tables
 from .methods import Method
 from .runs import Options, PeerRun, measure
@@ -22,14 +20,13 @@ PACKAGES = ("pyemtr", "open3d", "kiss_matcher", "small_gicp", "numpy")
 def compare(arguments: argparse.Namespace) -> int:
     """Does what the command line says; gives the exit code."""
     try:
-        with tempfile.TemporaryDirectory() as scratch:
-            return _compare(arguments, Path(scratch))
+        return _compare(arguments)
     except (DataError, ValueError) as error:
         print(f"peers: {error}", file=sys.stderr)
         return 2
 
 
-def _compare(arguments: argparse.Namespace, scratch: Path) -> int:
+def _compare(arguments: argparse.Namespace) -> int:
     wanted = choose_methods(arguments.presets, arguments.only)
     left_out = {m.name: "no " + ", no ".join(m.missing()) for m in wanted if m.missing()}
     if left_out and not arguments.smoke:
@@ -41,7 +38,7 @@ def _compare(arguments: argparse.Namespace, scratch: Path) -> int:
         1 if arguments.smoke else arguments.transforms,
         arguments.threads, arguments.limit, arguments.seed, arguments.voxel_points,
     )  # fmt: skip
-    pairs = choose_pairs(arguments, scratch)
+    pairs = choose_pairs(arguments)
     found = machine.describe(_installed(present))
     print(", ".join(f"{name} {value}" for name, value in found.items()))
     for name, why in left_out.items():
@@ -62,11 +59,9 @@ def choose_methods(presets: list[str] | None, only: list[str]) -> list[Method]:
     return methods.select(methods.all_methods(presets or list(known)), only)
 
 
-def choose_pairs(arguments: argparse.Namespace, scratch: Path) -> list[Pair]:
-    if arguments.smoke:
-        return [sample_pair(scratch)]
-    manifest = read_manifest(data_folder(arguments.data))
-    return select(manifest, arguments.tier, arguments.pairs)
+def choose_pairs(arguments: argparse.Namespace) -> list[Pair]:
+    pairs = related(chosen(arguments))
+    return [min(pairs, key=lambda pair: pair.size)] if arguments.smoke else pairs
 
 
 def _run(pairs: list[Pair], present: list[Method], options: Options) -> list[PeerRun]:

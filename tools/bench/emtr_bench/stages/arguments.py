@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from ..arguments import positive
+from ..pair_arguments import WHERE_ELSE, add_pair_options
 
 STRUCTURES = ("grid", "kdtree")
 EPILOG = """The first table has the wall seconds of each stage, for each preset and number of
@@ -18,8 +19,8 @@ exit code: 0; 1 when the bits were not the same; 2 when nothing could be run."""
 def parser() -> argparse.ArgumentParser:
     made = argparse.ArgumentParser(
         prog="stages",
-        description="Wall time of each stage of a registration of the generated pair.",
-        epilog=EPILOG,
+        description="Wall time of each stage of a registration, of the sample pair by default.",
+        epilog=f"{WHERE_ELSE}\n\n{EPILOG}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = made.add_argument
@@ -27,7 +28,9 @@ def parser() -> argparse.ArgumentParser:
     add("--threads", nargs="+", type=positive, default=[1, 2], metavar="N",
         help="how many threads (default: 1 2); the structures are compared with "
         "the last")  # fmt: skip
-    add("--points", type=positive, default=40000, help="of each cloud (default: 40000)")
+    add_pair_options(made, "all")
+    add("--points", type=positive, default=40000,
+        help="of each cloud of the sample pair (default: 40000)")  # fmt: skip
     add("--repetitions", type=positive, default=9, metavar="N",
         help="of each registration by the grid (default: 9)")  # fmt: skip
     add("--slow-repetitions", type=positive, default=3, metavar="N",

@@ -5,15 +5,19 @@ from __future__ import annotations
 import argparse
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pyemtr
 
 from .. import machine, records
-from ..pairs import DataError
+from ..data import chosen, related
+from ..pair_arguments import asks_for_pairs
+from ..pairs import Array, DataError
 from ..peers.summary import Quartiles
 from ..peers.tables import number, spread
+from ..runner import moved
 from ..sample import sample_clouds
 from .arguments import STRUCTURES
 from .measure import compare_structures, profile
@@ -35,11 +39,42 @@ def stages(arguments: argparse.Namespace) -> int:
     found = machine.describe(("pyemtr", "numpy"))
     try:
         with tempfile.TemporaryDirectory() as scratch:
-            source, target = sample_clouds(Path(scratch), arguments.points)
+            parts = [_measure(clouds, presets, arguments)
+                     for clouds in _all_clouds(arguments, Path(scratch))]  # fmt: skip
     except DataError as error:
         print(f"stages: {error}", file=sys.stderr)
         return 2
-    print(f"clouds of {len(source)} and {len(target)} points, kernel {pyemtr.kernel_name()}")
+    structures = [row for part in parts for row in part["structures"]]
+    if arguments.json:
+        value = {
+            "benchmark": "stages", "machine": found, "kernel": pyemtr.kernel_name(),
+            "repetitions": arguments.repetitions,
+            "slow_repetitions": arguments.slow_repetitions, **parts[0], "others": parts[1:],
+        }  # fmt: skip
+        records.write(arguments.json, value)
+        print(f"wrote {arguments.json}")
+    return int(not all(row["same_bits"] for row in structures))
+
+
+def _all_clouds(arguments: argparse.Namespace, scratch: Path) -> Iterator[tuple[str, Array, Array]]:
+    """Name, source and target of what is measured: the sample pair, or the pairs asked for."""
+    if not asks_for_pairs(arguments):
+        yield "sample", *sample_clouds(scratch, arguments.points)
+        return
+    pairs = related(chosen(arguments))
+    if arguments.smoke:
+        pairs = [min(pairs, key=lambda pair: pair.size)]
+    for pair in pairs:
+        case = moved(pair, 0)
+        yield pair.name, case.source, case.target
+
+
+def _measure(
+    clouds: tuple[str, Array, Array], presets: list[str], arguments: argparse.Namespace
+) -> dict[str, Any]:
+    name, source, target = clouds
+    print(f"{name}: clouds of {len(source)} and {len(target)} points, "
+          f"kernel {pyemtr.kernel_name()}")  # fmt: skip
     profiles = [
         profile(source, target, preset, threads, arguments.repetitions)
         for preset in presets
@@ -51,17 +86,9 @@ def stages(arguments: argparse.Namespace) -> int:
                            arguments.slow_repetitions)
         for preset in presets
     ]  # fmt: skip
-    print(_structure_table(structures))
-    if arguments.json:
-        value = {
-            "benchmark": "stages", "machine": found, "kernel": pyemtr.kernel_name(),
-            "points": [len(source), len(target)], "repetitions": arguments.repetitions,
-            "slow_repetitions": arguments.slow_repetitions, "profiles": profiles,
-            "structures": structures,
-        }  # fmt: skip
-        records.write(arguments.json, value)
-        print(f"wrote {arguments.json}")
-    return int(not all(row["same_bits"] for row in structures))
+    print(f"{_structure_table(structures)}\n", flush=True)
+    return {"pair": name, "points": [len(source), len(target)], "profiles": profiles,
+            "structures": structures}  # fmt: skip
 
 
 def _profile_table(profiles: list[dict[str, Any]]) -> str:
