@@ -25,7 +25,9 @@ def run(name, *words):
 
 
 def test_all_commands_are_found():
-    assert {*OF_PAIRS, "cancel", "neighbors", "regress", "report", "scaling"} <= set(COMMANDS)
+    assert {*OF_PAIRS, "cancel", "convert", "neighbors", "regress", "report", "scaling"} <= set(
+        COMMANDS
+    )
 
 
 @pytest.mark.parametrize("name", COMMANDS)
@@ -39,7 +41,7 @@ def test_help_needs_no_more_than_python(name):
 
 @pytest.mark.parametrize("name", [name for name in COMMANDS if name != "neighbors"])
 def test_a_bad_option_is_told_under_the_commands_name(name):
-    done = run(name, "--no-such-option")
+    done = run(name, *(["from", "to"] if name == "convert" else []), "--no-such-option")
     assert done.returncode == 2
     assert f"{name}: error: unrecognized arguments: --no-such-option" in done.stderr
 

@@ -62,9 +62,11 @@ def write_ply(path: Path, points: Array) -> None:
 
 
 def write_manifest(folder: Path, rows: Iterable[dict[str, str]]) -> None:
-    """The list of the pairs in ``folder/pairs/<group>/<name>``, a row each."""
-    content = io.StringIO()
-    writer = csv.DictWriter(content, COLUMNS, lineterminator="\n")
+    """The list of the pairs in ``folder/pairs/<group>/<name>``, a row each, with COLUMNS and what
+    others the rows have."""
+    rows, content = list(rows), io.StringIO()
+    columns = dict.fromkeys([*COLUMNS, *(name for row in rows for name in row)])
+    writer = csv.DictWriter(content, list(columns), restval="", lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)
     write_whole(folder / MANIFEST, content.getvalue())

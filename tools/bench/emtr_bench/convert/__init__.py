@@ -1,0 +1,1 @@
+"""Public sets that may not be passed on, from archives that the user has downloaded."""
