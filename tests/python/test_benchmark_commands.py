@@ -55,3 +55,18 @@ def test_data_that_are_not_there_are_told_under_the_commands_name(name):
     )  # fmt: skip
     assert done.returncode == 2
     assert done.stderr.startswith(f"{name}: --data /nowhere: no such folder")
+
+
+@pytest.mark.parametrize(
+    ("name", "first", "step"),
+    [("neighbors", "neighbors: error: no /nowhere/tools/bench/bench_neighbors", "cmake --build"),
+     ("regress", "regress: /nowhere: no /nowhere/tools/pcl_emtr", "tools/quickstart builds it")],
+)  # fmt: skip
+def test_a_program_that_is_not_built_is_told_with_the_next_step(name, first, step):
+    done = subprocess.run(
+        [sys.executable, str(FOLDER / name)] if name == "regress" else [str(FOLDER / name)],
+        capture_output=True, text=True, timeout=60, check=False,
+        env={**os.environ, "EMTR_BUILD_DIR": "/nowhere"},
+    )  # fmt: skip
+    assert done.returncode == 2
+    assert done.stderr.startswith(first) and step in done.stderr

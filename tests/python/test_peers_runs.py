@@ -9,10 +9,11 @@ import pytest
 from emtr_bench import layout, pairs, protocol, records
 from emtr_bench.peers import methods, output, runs, summary, tables, units, voxel
 from emtr_bench.peers.runs import Options, PeerRun
+from emtr_bench.peers.settings import Setting
 from emtr_bench.peers.summary import Quartiles
 from peers_fakes import FakeMethod
 
-OPTIONS = Options(transforms=3, threads=1, limit=20.0, seed=0, voxel_points=30)
+OPTIONS = Options(transforms=3, threads=1, limit=20.0, seed=0, recommended=Setting(30))
 
 
 @pytest.fixture(scope="module")

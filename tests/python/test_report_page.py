@@ -10,8 +10,10 @@ from emtr_bench import layout, records
 from emtr_bench.calibration.figures import calibration
 from emtr_bench.calibration.judged import Judged
 from emtr_bench.peers import output, runs
+from emtr_bench.peers.settings import Setting
 from emtr_bench.report.page import page
 from emtr_bench.report.parts import NAMES, Part, all_parts
+from emtr_bench.virtual_pairs import folder as on_disk
 from peers_fakes import FakeMethod
 
 MACHINE = {"date": "today", "revision": "abc", "load average": "0.1", "cpu": "a fine one"}
@@ -47,6 +49,29 @@ def test_each_preset_has_the_protocol_and_every_pair():
     ) in lines
     assert "tools/bench/regress --json=build/bench/regress.json" in lines
     assert len({part.json for part in parts}) == len(parts)
+
+
+def test_generated_pairs_are_told(tmp_path, monkeypatch):
+    folder = accuracy_fakes.write_data(tmp_path / "data")
+    monkeypatch.setenv("EMTR_DATA", str(folder))
+    parts = parts_of(tmp_path)
+    for generated, place in ((False, tmp_path / "elsewhere"), (True, tmp_path / "data")):
+        monkeypatch.setattr(on_disk, "FOLDER", place)
+        accuracy_fakes.run_accuracy(
+            ["--transforms", "1", "--json", str(parts[0].json)], FakeEngine()
+        )
+        keep(parts[0], json.loads(parts[0].json.read_text()))
+        assert ("On the generated pairs" in text_of(parts, tmp_path)) == generated
+
+
+def test_a_sweep_of_the_others_is_asked_for():
+    folder = Path("build/bench")
+    lines = [p.line for p in all_parts(folder, Path("docs"), ["paper"], smoke=False, sweep=True)]
+    assert (
+        "tools/bench/peers --tier all --transforms 1 --threads 2 --sweep --plot=docs/peers.png "
+        "--json=build/bench/peers.json"
+    ) in lines
+    assert not any("--sweep" in part.line for part in parts_of(folder))
 
 
 def test_every_command_is_one_that_the_programs_take():
@@ -97,7 +122,7 @@ def test_calibration_is_rendered_from_its_own_json(tmp_path):
 
 def test_peers_are_rendered_from_their_own_json(tmp_path):
     manifest = layout.read_folder(accuracy_fakes.write_data(tmp_path))[:1]
-    options = runs.Options(2, 1, 20.0, 0, 30)
+    options = runs.Options(2, 1, 20.0, 0, Setting(30))
     methods = [FakeMethod("emtr-paper"), FakeMethod("peer+x", "raise", 1)]
     measured = [run for done in runs.measure(manifest, methods, options) for run in done]
     (part,) = (p for p in parts_of(tmp_path) if p.section == "peers")

@@ -33,7 +33,7 @@ def test_a_part_that_wrote_nothing_loses_its_old_figures(tmp_path):
 def test_only_what_is_asked_for_is_run(tmp_path, monkeypatch, only, ran):
     seen = []
     monkeypatch.setattr(program, "_run", lambda part: seen.append(part.section) or "")
-    asked = argparse.Namespace(only=only, smoke=True)
+    asked = argparse.Namespace(only=only, smoke=True, sweep=False)
     out = tmp_path / "BENCHMARK.md"
     assert program.make(tmp_path, tmp_path, out, ["paper"], asked) == 0
     there = [name for name in ran if (REPOSITORY / "tools" / "bench" / name).exists()]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 from .layout import read_folder
@@ -40,6 +41,13 @@ def related(pairs: list[Pair]) -> list[Pair]:
     if not found:
         raise DataError("none of the chosen pairs has a pose: T_gt.txt says none")
     return found
+
+
+def are_generated(pairs: Iterable[Pair]) -> bool:
+    """Tells whether some of the pairs are generated ones."""
+    from .virtual_pairs.folder import FOLDER
+
+    return any(FOLDER in pair.folder.parents for pair in pairs)
 
 
 def locate(argument: str | None) -> Path | None:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from . import paper_tables
+from .data import are_generated
 from .pairs import DataError
 from .runner import Options, Outcome, Run
 from .summary import Figures, PairSummary
@@ -31,6 +32,7 @@ def record(
         "benchmark": "accuracy",
         "emtr_version": version,
         "options": dataclasses.asdict(options),
+        "generated_pairs": are_generated(run.pair for run in runs),
         "machine": {
             "system": platform.platform(),
             "processor": platform.processor() or platform.machine(),

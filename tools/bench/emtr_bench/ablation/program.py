@@ -9,7 +9,7 @@ from typing import Any
 
 from .. import machine, records
 from ..accuracy import Engine
-from ..data import chosen, related
+from ..data import are_generated, chosen, related
 from ..pairs import DataError, Pair
 from ..runner import Options, Run, run_all
 from .variants import VARIANTS, Variant
@@ -33,6 +33,7 @@ def ablation(arguments: argparse.Namespace, engine: Engine) -> int:
     if arguments.json:
         value = {
             "benchmark": "ablation", "emtr_version": engine.version, "machine": found,
+            "generated_pairs": are_generated(pairs),
             "preset": arguments.preset, "transforms": transforms, "seed": arguments.seed,
             "pairs": [[t, sum(p.tier == t for p in pairs)] for t in _tiers(pairs)], "rows": rows,
         }  # fmt: skip

@@ -17,7 +17,8 @@ tools/bench/peers-requirements.txt, into a virtual environment of their own.
 
 examples:
   peers --tier paper --transforms 4                  everything on the paper's pairs
-  peers --only emtr kiss-matcher --pair trex_03_01  one pair, all presets and two rows
+  peers --only emtr kiss-matcher --pair trex_03_01   one pair, all presets and two rows
+  peers --tier all --sweep --plot sweep.png          the others at their best, too; takes long
 
 exit code: 0; 1 when a preset of emtr crashed; 2 when nothing could be run."""
 
@@ -44,6 +45,16 @@ def parser() -> argparse.ArgumentParser:
     add("--voxel-points", type=positive, default=VOXEL_POINTS, metavar="N",
         help="the voxel given to the other libraries leaves N points in both clouds together "
         f"(default: {VOXEL_POINTS})")  # fmt: skip
+    add("--sweep", action="store_true",
+        help="each other method at each setting of the next two options too: its fastest setting "
+        "that loses no success beside the recommended one, and the frontier")  # fmt: skip
+    add("--sweep-points", nargs="+", type=positive, default=[1500, 3000, 6000, 12000], metavar="N",
+        help="as --voxel-points, for the search (default: 1500 3000 6000 12000)")  # fmt: skip
+    add("--refine-points", nargs="+", type=natural, default=[0, 3000, 12000], metavar="N",
+        help="the same for the refinement; 0: what its library does by itself "
+        "(default: 0 3000 12000)")  # fmt: skip
+    add("--plot", type=Path, metavar="FILE", help="with --sweep, draw success against time into a "
+        "PNG")  # fmt: skip
     add("--json", type=Path, metavar="FILE", help="write every run to FILE")
     add("--venv", type=Path, metavar="DIR", help="where the other libraries are installed "
         "(default: build/venv-peers)")  # fmt: skip

@@ -20,6 +20,7 @@ class Task:
     voxel: float  # user's unit
     threads: int
     seed: int
+    refine_voxel: float | None = None  # None: what the refinement's library does by itself
 
 
 #: (source (n, 3), target (m, 3), task) -> pose (4, 4), source into target

@@ -50,11 +50,15 @@ def fast_global_registration(source: Array, target: Array, task: Task) -> Array:
 
 
 def point_to_plane_icp(source: Array, target: Array, start: Array, task: Task) -> Array:
-    """On the full clouds; the target's normals are made here and count."""
-    b = _cloud(target)
-    b.estimate_normals(_neighborhood(NORMAL_RADIUS * task.voxel, NORMAL_NEIGHBORS))
+    """On the full clouds, or downsampled by task.refine_voxel; the target's normals are made here
+    and count."""
+    a, b = _cloud(source), _cloud(target)
+    if task.refine_voxel is not None:
+        a, b = (cloud.voxel_down_sample(task.refine_voxel) for cloud in (a, b))
+    radius = NORMAL_RADIUS * (task.refine_voxel or task.voxel)
+    b.estimate_normals(_neighborhood(radius, NORMAL_NEIGHBORS))
     result = _registration.registration_icp(
-        _cloud(source), b, ICP_DISTANCE * task.voxel, start,
+        a, b, ICP_DISTANCE * task.voxel, start,
         _registration.TransformationEstimationPointToPlane(),
     )  # fmt: skip
     return np.array(result.transformation)

@@ -45,7 +45,10 @@ def command_of(build: Path) -> Path:
     """The command pcl_emtr of a build folder."""
     command = build / "tools" / "pcl_emtr"
     if not command.exists():
-        raise RegressFailure(f"{build}: no {command}: run tools/check, or build with CMake")
+        raise RegressFailure(
+            f"{build}: no {command}: tools/quickstart builds it in build, and "
+            "cmake -DEMTR_BUILD_TOOLS=ON in another folder"
+        )
     return command
 
 

@@ -28,6 +28,8 @@ def parser() -> argparse.ArgumentParser:
     add("--only", nargs="*", choices=NAMES, metavar="PART", help="run these: " + ", ".join(NAMES))
     add("--presets", nargs="+", metavar="NAME",
         help="of emtr, for the accuracy (default: all that there are)")  # fmt: skip
+    add("--sweep", action="store_true",
+        help="compare with other libraries at their fastest settings too; takes hours")  # fmt: skip
     add("--out", type=Path, metavar="FILE", help="the page (default: BENCHMARK.md)")
     add("--smoke", action="store_true",
         help="tiny counts, into a temporary folder that is removed; --out keeps "

@@ -67,7 +67,7 @@ def page(parts: list[Part], pictures: Path, out: Path) -> str:
         "accuracy": accuracy_section,
         "ablation": ablation_section,
         "calibration": lambda value: calibration_section(value, picture("calibration.png")),
-        "peers": peers_section,
+        "peers": lambda value: peers_section(value, picture("peers.png")),
         "stages": stages_section,
         "scaling": lambda value: scaling_section(value, picture("scaling.png")),
         "neighbors": neighbors_section,
@@ -80,6 +80,8 @@ def page(parts: list[Part], pictures: Path, out: Path) -> str:
         for part in (p for p in parts if p.section == section):
             figures = found[part.name]
             lines += [_how(part, figures), ""]
+            if figures is not None and figures.value.get("generated_pairs"):
+                lines += ["On the generated pairs, which are easier than real scans.", ""]
             if figures is not None:
                 lines += [renderers[section](figures.value), ""]
     return "\n".join(lines).rstrip() + "\n"

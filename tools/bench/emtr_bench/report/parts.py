@@ -47,8 +47,10 @@ def _accuracy(preset: str) -> dict[str, tuple[str, ...]]:
     return runs
 
 
-def all_parts(folder: Path, pictures: Path, presets: list[str], smoke: bool) -> list[Part]:
-    """`folder` takes the JSON, `pictures` the pictures."""
+def all_parts(
+    folder: Path, pictures: Path, presets: list[str], smoke: bool, sweep: bool = False
+) -> list[Part]:
+    """`folder` takes the JSON, `pictures` the pictures; `sweep` is that of the other libraries."""
 
     def part(section: str, *options: str, name: str = "", output: str = "--json={}") -> Part:
         path = folder / f"{name or section}.json"
@@ -68,13 +70,14 @@ def all_parts(folder: Path, pictures: Path, presets: list[str], smoke: bool) -> 
             del parts[1:]
             break
     peers = ("--tier", "all", "--transforms", "1", "--threads", THREADS)
+    swept = ("--sweep", f"--plot={pictures / 'peers.png'}")
     counted = "--benchmark_out={} --benchmark_out_format=json"
     judged = [str(p.json) for p in parts if smoke or p.name.endswith("-all")]
     return [
         *parts,
         part("calibration", *judged, f"--plot={pictures / 'calibration.png'}"),
         part("ablation", "--threads", THREADS, *pick((), ("--smoke",))),
-        part("peers", *pick(peers, ("--smoke",))),
+        part("peers", *pick(peers, ("--smoke",)), *(swept if sweep else ())),
         part("stages", *pick((), ("--smoke",))),
         part("scaling", *pick((), ("--smoke",)), f"--plot={pictures / 'scaling.png'}"),
         part("neighbors", *pick((), ("--smoke",)), output=counted),

@@ -39,7 +39,7 @@ def report(arguments: argparse.Namespace) -> int:
 def make(
     folder: Path, pictures: Path, out: Path, presets: list[str], arguments: argparse.Namespace
 ) -> int:
-    parts = all_parts(folder, pictures, presets, arguments.smoke)
+    parts = all_parts(folder, pictures, presets, arguments.smoke, arguments.sweep)
     wanted = [p for p in parts if arguments.only is None or p.section in arguments.only]
     missing = [part for part in wanted if not (REPOSITORY / part.program).exists()]
     failures = [failure for part in wanted if part not in missing and (failure := _run(part))]
