@@ -7,7 +7,7 @@ import sys
 import accuracy_fakes
 import pytest
 from accuracy_fakes import REPOSITORY, FakeEngine
-from emtr_bench import accuracy_text, arguments, queries, records
+from emtr_bench import accuracy_text, arguments, interpreter, queries, records
 
 
 @pytest.fixture
@@ -234,11 +234,28 @@ def test_the_script_says_how_to_get_what_it_lacks(script, missing, tmp_path):
         [sys.executable, "-S", "-E", str(program)], capture_output=True, text=True, check=False
     )
     assert done.returncode == 2
-    assert done.stderr.startswith(f"{program.name}: ") and f"has no {missing}. Inst" in done.stderr
-    made = tmp_path / "build" / "venv"
-    first = f"python3 -m venv '{made}' && '{made}/bin/python' -m pip install "
+    assert done.stderr.startswith(f"{program.name}: ") and f"has no {missing}. " in done.stderr
     packages = f"'{tmp_path}[bench]'" if "pyemtr" in missing else "numpy plyfile Cython"
-    assert f"\n  {first}{packages}\n" in done.stderr
+    assert f"-m pip install {packages}\n" in done.stderr
+    assert ("tools/quickstart" in done.stderr) == ("pyemtr" in missing)
+
+
+@pytest.mark.parametrize("inside", [True, False])
+def test_the_next_step_is_for_the_environment_that_there_is(inside, monkeypatch, tmp_path):
+    monkeypatch.setattr(interpreter, "REPOSITORY", tmp_path)
+    monkeypatch.setattr(sys, "base_prefix", "/usr" if inside else sys.prefix)
+    with pytest.raises(FileNotFoundError) as told:
+        interpreter.python_with("numpy", "no_such_module")
+    said, venv = str(told.value), tmp_path / "build" / "venv"
+    assert said.startswith(f"{sys.executable} has no no_such_module. ")
+    if inside:
+        assert said.endswith(f"\n  '{sys.executable}' -m pip install no_such_module")
+    else:
+        line = f"'{venv}/bin/python' -m pip install numpy no_such_module"
+        assert f"\n  python3 -m venv '{venv}' && {line}\n" in said
+    (venv / "bin").mkdir(parents=True)
+    (venv / "bin" / "python").touch()
+    assert interpreter.python_with("no_such_module") == venv / "bin" / "python"
 
 
 def test_wide_figures_stay_in_their_columns():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.util
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from .locations import REPOSITORY
@@ -35,19 +35,27 @@ def python_with(*modules: str) -> Path:
     made = REPOSITORY / "build" / "venv" / "bin" / "python"
     if not made.exists() or _is_running(made):
         raise FileNotFoundError(
-            f"{sys.executable} has no {' and no '.join(missing)}. Install what is missing by\n"
-            f"  {_installation(made, missing)}\nand run this again: it finds that environment."
+            f"{sys.executable} has no {' and no '.join(missing)}. {_next_step(modules, missing)}"
         )
     return made
 
 
-def _installation(made: Path, missing: list[str]) -> str:
-    """The line of shell that puts the modules into build/venv."""
-    packages = [_PACKAGES.get(name, name) for name in missing]
+def _next_step(modules: Sequence[str], missing: Sequence[str]) -> str:
+    """What to type: into the virtual environment that this runs in, or else a new build/venv."""
+    venv = REPOSITORY / "build" / "venv"
+    inside = sys.prefix != sys.base_prefix
+    packages = [_PACKAGES.get(name, name) for name in (missing if inside else modules)]
+    hint = ""
     if "pyemtr" in packages:  # with all that the benchmarks need
         packages = [f"'{REPOSITORY}[bench]'"]
-    make = "" if made.exists() else f"python3 -m venv '{made.parents[1]}' && "
-    return f"{make}'{made}' -m pip install {' '.join(packages)}"
+        hint = "\nBuilding pyemtr takes Debian packages, which tools/quickstart installs."
+    line = f"-m pip install {' '.join(packages)}"
+    if inside:
+        return f"Install it by\n  '{sys.executable}' {line}{hint}"
+    return (
+        f"Make an environment that has it by\n  python3 -m venv '{venv}' && "
+        f"'{venv}/bin/python' {line}\nand run this again: it finds that one.{hint}"
+    )
 
 
 def _go_on_with(python: Path) -> None:
