@@ -94,7 +94,7 @@ def _table(azimuth: float, rng: np.random.Generator) -> Scan:
     a, elevation, away = np.radians(azimuth), np.radians(35.0), 1.1
     level = away * np.cos(elevation)
     eye = np.array([level * np.cos(a), level * np.sin(a), away * np.sin(elevation)])
-    sight = rays.camera(eye, np.zeros(3), half_angle=27.0, columns=100, rows=75)
+    sight = rays.camera(eye, np.zeros(3), half_angle=27.0, columns=140, rows=105)
     return Scan(rays.see(places.table_top(), eye, sight, 0.0015, 3.0, rng), eye)
 
 
