@@ -10,6 +10,8 @@
 
 #include "calls.h"
 #include "failure.h"
+#include "formats/format.h"
+#include "mesh/sample_mesh.h"
 #include "read/cloud_file.h"
 #include "read/coordinates.h"
 #include "scratch_file.h"
@@ -21,10 +23,12 @@ namespace fuzz {
 /// Writes the cloud as --aligned does, and requires that it is complete when it is read again.
 inline void write_and_read(const cli::CloudFile& cloud, const std::string& path) {
   try {
-    cli::require_writable_as(path, cloud);
-    cli::write_cloud(cloud, path, path);
+    const cli::Format& format = *cli::format_of(path);
+    cli::require_writable_as(path, format, cloud);
+    cli::write_cloud(cloud, format, path, path);
   } catch (const cli::FileFailure&) {
-    return;  // PLY cannot hold all fields that PCD can, nor PCL's writer odd names of colors
+    return;  // PLY and OBJ cannot hold all fields that PCD can, nor PCL's writer odd names of
+             // colors
   }
   try {
     require(cli::load_cloud(path).size() == cloud.size());
@@ -58,6 +62,13 @@ inline void read_cloud(const std::string& extension, const std::uint8_t* data, s
   cli::move_cloud(cloud, quarter_rotation);
   write_and_read(cloud, scratch.path("out.pcd"));
   write_and_read(cloud, scratch.path("out.ply"));
+  write_and_read(cloud, scratch.path("out.obj"));
+
+  // The surface of a mesh, unless it is none; its vertices come back whole.
+  cli::CloudFile mesh = cli::load_cloud(path, 20);
+  require(mesh.sampled() ? mesh.size() == 20 : mesh.size() == cloud.size());
+  cli::take_vertices(mesh);
+  require(mesh.size() == cloud.size());
 }
 
 }  // namespace fuzz

@@ -148,6 +148,54 @@ def obj() -> dict[str, bytes]:
     }
 
 
+FACES = [(i, i + 1, i + 2) for i in range(10)]
+
+
+def off() -> dict[str, bytes]:
+    vertices = b"".join(b"%g %g %g\n" % p for p in POINTS)
+    colored = b"".join(b"%g %g %g 255 0 0 255\n" % p for p in POINTS)
+    faces = b"".join(b"3 %d %d %d\n" % face for face in FACES)
+    return {
+        "plain": b"OFF\n# made for a test\n12 10 0\n" + vertices + faces,
+        "colors": b"COFF 12 1 0\n" + colored + b"4 0 1 2 3 0.5 0.5 0.5\n",
+        "no-faces": b"OFF\n12 0 0\n" + vertices,
+    }
+
+
+def stl() -> dict[str, bytes]:
+    text, binary = b"", b""
+    for face in FACES:
+        corners = b"".join(b"  vertex %g %g %g\n" % POINTS[i] for i in face)
+        text += b"facet normal 0 0 1\n outer loop\n" + corners + b" endloop\nendfacet\n"
+        binary += struct.pack("<12fH", 0, 0, 1, *(v for i in face for v in POINTS[i]), 0)
+    return {
+        "ascii": b"solid part\n" + text + b"endsolid part\n",
+        "binary": b"made for a test".ljust(80) + struct.pack("<I", len(FACES)) + binary,
+    }
+
+
+def tables() -> dict[str, bytes]:
+    plain = text(POINTS)
+    return {
+        "blanks": b"# made for a test\n" + plain,
+        "commas": b"x,y,z,nx,Intensity\n" + b"".join(b"%g,%g,%g,1,\n" % p for p in POINTS),
+        "semicolons": b'"Y";"X";"Z"\r\n' + b"".join(b"%g;%g;%g\r\n" % p for p in POINTS),
+        "counted": b"5\n" + text(POINTS[:5]) + b"7\n" + text(POINTS[5:]),
+        "unnamed": text([(*p, 1, 2) for p in POINTS]),
+    }
+
+
+def npy() -> dict[str, bytes]:
+    def whole(kind: str, version: int) -> bytes:
+        header = f"{{'descr': '<{kind}', 'fortran_order': False, 'shape': (12, 3), }}\n".encode()
+        size = struct.pack("<H" if version == 1 else "<I", len(header))
+        code = "<3f" if kind == "f4" else "<3d"
+        rows = b"".join(struct.pack(code, *p) for p in POINTS)
+        return b"\x93NUMPY" + bytes([version, 0]) + size + header + rows
+
+    return {"floats": whole("f4", 1), "doubles": whole("f8", 2)}
+
+
 def matrix() -> dict[str, bytes]:
     return {
         "identity": b"1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n",
@@ -164,6 +212,10 @@ def main() -> None:
         "pcd": pcd(),
         "ply": ply(),
         "obj": obj(),
+        "off": off(),
+        "stl": stl(),
+        "text": tables(),
+        "npy": npy(),
         "matrix": matrix(),
     }
     for target, seeds in files.items():

@@ -15,11 +15,11 @@ void note(int number) { request = number; }
 
 }  // namespace
 
-Interrupt::Interrupt() {
+Interrupt::Interrupt(Use use) {
   struct sigaction action = {};
   action.sa_handler = note;
   sigemptyset(&action.sa_mask);
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  if (use == kStopsRun) action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals[i], nullptr, &previous[i]);
     // A shell starts background jobs with SIGINT ignored; it stays ignored.
@@ -32,9 +32,5 @@ Interrupt::~Interrupt() {
 }
 
 int Interrupt::number() { return request; }
-
-void ignore_interrupts() {
-  for (const int number : kSignals) signal(number, SIG_IGN);
-}
 
 }  // namespace cli

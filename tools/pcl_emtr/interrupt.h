@@ -2,11 +2,14 @@
 
 namespace cli {
 
-/// Turns the first SIGINT or SIGTERM into a request to stop while it lives, so that the run can
-/// still write its best pose. A second signal ends the process as usual.
+/// Turns SIGINT and SIGTERM into a request to stop while it lives.
 class Interrupt {
  public:
-  Interrupt();
+  enum Use {
+    kStopsRun,  ///< so that the run can still write its best pose; a second signal ends the process
+    kEndsCalls,  ///< so that waiting for a pipe ends with EINTR, and no file is left half written
+  };
+  explicit Interrupt(Use use = kStopsRun);
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
@@ -14,8 +17,5 @@ class Interrupt {
   static bool requested() { return number() != 0; }
   static int number();  ///< the signal that asked to stop, 0 for none
 };
-
-/// Ignores SIGINT and SIGTERM from here on, so that the output files are put in place together.
-void ignore_interrupts();
 
 }  // namespace cli

@@ -6,12 +6,14 @@
 #include <exception>
 #include <new>
 
+#include "console/terminal.h"
 #include "failure.h"
 #include "run.h"
 
 int main(int argc, char** argv) {
   // PCL's readers print a lot to standard error; a Failure tells in one line what is wrong.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  cli::choose_colors();
   try {
     return cli::run(argc, argv);
   } catch (const cli::Failure& failure) {

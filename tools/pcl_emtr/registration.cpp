@@ -6,6 +6,7 @@
 #include "failure.h"
 #include "interrupt.h"
 #include "read/coordinates.h"
+#include "report/unit_hint.h"
 
 namespace cli {
 namespace {
@@ -32,8 +33,9 @@ std::string after(const std::string& prefix, const std::string& message) {
 
 /// Translates the library's error: it names "source cloud" and "setting 'guess'", the user knows
 /// files.
-[[noreturn]] void fail(emtr_status status, const Options& options) {
-  const std::string message = emtr_error_message();
+[[noreturn]] void fail(emtr_status status, const Options& options, const std::string& hint) {
+  std::string message = emtr_error_message();
+  if (status == EMTR_ERROR_CLOUD && !hint.empty()) message += "; " + hint;
   if (const auto what = after("correspondences: ", message); !what.empty())
     fail_correspondences(options.correspondences, what);
   if (status == EMTR_ERROR_CLOUD || status == EMTR_ERROR_ARGUMENT) {
@@ -71,7 +73,7 @@ Result run_registration(const CloudFile& source, const CloudFile& target, const 
     status =
         emtr_register(&source_points, &target_points, &options.settings, on_progress, &line, &raw);
   }
-  if (status != EMTR_OK) fail(status, options);
+  if (status != EMTR_OK) fail(status, options, unit_hint(source, target).text);
   Result result(raw);
   for (const double value : result->transformation)
     if (!std::isfinite(value))

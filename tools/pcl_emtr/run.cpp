@@ -9,10 +9,12 @@
 #include "console/messages.h"
 #include "failure.h"
 #include "options/command_line.h"
+#include "options/file_formats.h"
 #include "read/cloud_path.h"
 #include "read/matrix_file.h"
 #include "registration.h"
 #include "report/residuals.h"
+#include "report/unit_hint.h"
 #include "write/cloud_output.h"
 #include "write/output_files.h"
 #include "write/outputs.h"
@@ -23,8 +25,8 @@ namespace {
 
 /// Reads the small files, and throws on every fault that can be known before the long computation.
 void check_before(Options& options) {
-  require_cloud_file(options.source);
-  require_cloud_file(options.target);
+  require_cloud_file(options.source, options.input_format);
+  require_cloud_file(options.target, options.input_format);
   if (!options.guess.empty()) {
     read_matrix(options.guess, options.settings.guess);
     options.settings.has_guess = 1;
@@ -54,6 +56,13 @@ void settle_viewpoint(CloudFile& cloud, bool from_file, std::int32_t& known,
   }
 }
 
+/// Says what --aligned has, once it is written.
+std::string saved_text(const CloudFile& source, const Format& format) {
+  const bool mesh = format.with_faces && !source.faces.empty();
+  return std::to_string(source.size()) +
+         (mesh ? " vertices, " + std::to_string(source.faces.size()) + " faces" : " points");
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
@@ -63,11 +72,13 @@ int run(int argc, char** argv) {
   const Messages messages(options.quiet);
   check_before(options);
 
-  CloudFile source = load_cloud(options.source);
+  CloudFile source = load_cloud(options.source, options.mesh_points, options.input_format);
   messages.loaded(source);
-  if (!options.aligned.empty()) require_writable_as(options.aligned, source);
-  if (options.residuals && !options.aligned.empty()) require_place_for_residuals(source);
-  CloudFile target = load_cloud(options.target);
+  options.aligned_as = aligned_format(options, source);
+  if (options.aligned_as) require_writable_as(options.aligned, *options.aligned_as, source);
+  if (options.aligned_as && options.residuals)
+    require_place_for_residuals(source, *options.aligned_as);
+  CloudFile target = load_cloud(options.target, options.mesh_points, options.input_format);
   messages.loaded(target);
   emtr_settings& settings = options.settings;
   settle_viewpoint(source, options.viewpoints_from_files, settings.has_viewpoint_source,
@@ -78,12 +89,14 @@ int run(int argc, char** argv) {
   const Result result = run_registration(source, target, options);
   messages.registered(*result, settings);
   messages.verdict(*result);
+  const UnitHint hint = result->registered ? UnitHint() : unit_hint(source, target);
+  if (!hint.text.empty()) messages.warning(hint.text);
   std::vector<double> residuals;
   if (options.residuals) residuals = measure_residuals(source, target, options, *result);
-  write_outputs(options, source, target, *result, residuals);
+  write_outputs(options, source, target, *result, residuals, hint);
   if (!options.output.empty()) messages.saved(options.output, "4x4 matrix");
   if (!options.aligned.empty())
-    messages.saved(options.aligned, std::to_string(source.size()) + " points");
+    messages.saved(options.aligned, saved_text(source, *options.aligned_as));
   if (!options.report.empty()) messages.saved(options.report, "report");
   return exit_code(*result);
 }

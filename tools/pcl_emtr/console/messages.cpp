@@ -18,7 +18,9 @@ void Messages::loaded(const CloudFile& cloud) const {
   EMTR_VALUE("%s", milliseconds(cloud.milliseconds / 1e3).c_str());
   EMTR_INFO(" : ");
   EMTR_VALUE("%zu", cloud.size());
-  EMTR_INFO(" points]\n");
+  EMTR_INFO(" points");
+  if (cloud.sampled()) EMTR_INFO(" sample the surface of its %zu faces", cloud.faces.size());
+  EMTR_INFO("]\n");
 }
 
 void Messages::registered(const emtr_result& result, const emtr_settings& settings) const {

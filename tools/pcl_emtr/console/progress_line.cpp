@@ -5,9 +5,12 @@
 #include <chrono>
 #include <cstdio>
 
+#include "console/terminal.h"
+
 namespace cli {
 
-ProgressLine::ProgressLine(bool quiet) : active_(!quiet && isatty(STDERR_FILENO)) {}
+ProgressLine::ProgressLine(bool quiet)
+    : active_(!quiet && isatty(STDERR_FILENO) && !is_dumb_terminal()) {}
 
 ProgressLine::~ProgressLine() {
   if (active_ && last_ >= 0) std::fputs("\r\033[K", stderr);

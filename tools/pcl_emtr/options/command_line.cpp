@@ -22,7 +22,7 @@ void set_up_help(CLI::App& app) {
   app.formatter(std::make_shared<HelpFormatter>());
   app.get_formatter()->column_width(34);
   app.get_formatter()->label("REQUIRED", "");
-  app.footer(kFooter);
+  app.footer(help_footer());
   app.set_help_flag("-h,--help", "print the most used options and exit");
   app.set_help_all_flag("--help-all", "print this and exit");
   app.set_version_flag("--version", version_line(), "print the versions and exit");
@@ -63,7 +63,7 @@ bool parse(CLI::App& app, int argc, char** argv) {
     app.parse(argc, argv);
     return true;
   } catch (const CLI::CallForHelp&) {
-    std::cout << kShortHelp << std::flush;
+    std::cout << short_help() << std::flush;
   } catch (const CLI::CallForAllHelp&) {
     std::cout << app.help() << std::flush;
   } catch (const CLI::CallForVersion&) {

@@ -3,6 +3,8 @@
 #include <filesystem>
 
 #include "failure.h"
+#include "files/streams.h"
+#include "formats/format.h"
 #include "read/cloud_path.h"
 
 namespace cli {
@@ -16,28 +18,37 @@ void require_file_name(const NamedFile& file) {
 }
 
 bool same_file(const NamedFile& a, const NamedFile& b) {
+  if (is_stream(a.path) || is_stream(b.path)) return false;  // check_streams() sees to these
   const auto place = [](const std::string& path) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
   };
   return place(a.path) == place(b.path);
 }
 
-void check_extension(const NamedFile& output) {
-  const bool cloud = output.option == "--aligned";
-  if (!cloud && names_cloud(output.path))
+void check_text(const NamedFile& output) {
+  const Format* format = format_of(output.path);
+  if (format && !format->for_any_text)
     throw UsageFailure(output.option + ": '" + output.path +
                        "' is named like a cloud, but is a text file; the moved source goes to "
                        "--aligned");
-  const std::string extension = extension_of(output.path);
-  if (cloud && extension != ".pcd" && extension != ".ply")
-    throw FileFailure(output.path, (extension.empty() ? "has no extension"
-                                                      : "unknown extension '" + extension + "'") +
-                                       ", --aligned expects .pcd or .ply");
+}
+
+void check_aligned(const std::string& path, const std::string& named_format) {
+  if (is_compressed(path))
+    throw FileFailure(path, "--aligned does not compress; write to - and pipe that to gzip");
+  const Format* format = format_of(path);
+  if (!named_format.empty() || (format && format->written)) return;
+  if (!format && is_stream(path)) return;
+  throw FileFailure(
+      path,
+      (format ? std::string("is named like a format that is only read") : wrong_extension(path)) +
+          ", --aligned expects " + written_extensions() + ", or --aligned-format");
 }
 
 }  // namespace
 
-void check_file_names(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+void check_file_names(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs,
+                      const std::string& aligned_format) {
   for (const auto& input : inputs) require_file_name(input);
   for (const auto& output : outputs) require_file_name(output);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -49,7 +60,8 @@ void check_file_names(const std::vector<NamedFile>& inputs, const std::vector<Na
       if (same_file(outputs[i], outputs[j]))
         throw UsageFailure(outputs[j].option + " and " + outputs[i].option +
                            " name the same file, '" + outputs[i].path + "'");
-    check_extension(outputs[i]);
+    outputs[i].option == "--aligned" ? check_aligned(outputs[i].path, aligned_format)
+                                     : check_text(outputs[i]);
   }
 }
 

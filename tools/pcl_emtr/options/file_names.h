@@ -12,6 +12,8 @@ struct NamedFile {
 
 /// Throws UsageFailure or FileFailure for paths that cannot be meant: an empty one, an option taken
 /// for a file, one file for two purposes, a cloud's extension for a text file or the reverse.
-void check_file_names(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
+/// `aligned_format` is the format that the user named for --aligned, or empty.
+void check_file_names(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs,
+                      const std::string& aligned_format);
 
 }  // namespace cli

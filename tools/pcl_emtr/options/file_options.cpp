@@ -3,17 +3,33 @@
 #include <string>
 
 #include "failure.h"
+#include "formats/format.h"
+#include "options/file_formats.h"
 #include "options/file_names.h"
+#include "options/stream_names.h"
 #include "text/words.h"
 
 namespace cli {
 namespace {
 
 constexpr char kUserData[] = "User-provided data";
+constexpr char kFormats[] = "Formats and meshes";
 
+/// Adds an option for a file; `dash` is the path that is meant by "-".
 CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path,
-                      const std::string& text) {
-  return app.add_option(name, path, wrapped(text))->type_name("FILE");
+                      const std::string& text, const std::string& dash) {
+  const auto meant = [dash](const std::string& given) { return given == "-" ? dash : given; };
+  return app.add_option(name, path, wrapped(text))->transform(meant)->type_name("FILE");
+}
+
+CLI::Option* add_input(CLI::App& app, const std::string& name, std::string& path,
+                       const std::string& text) {
+  return add_file(app, name, path, text, "/dev/stdin");
+}
+
+CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& path,
+                        const std::string& text) {
+  return add_file(app, name, path, text, "/dev/stdout");
 }
 
 std::vector<NamedFile> named(const std::vector<CLI::Option*>& options) {
@@ -26,23 +42,28 @@ std::vector<NamedFile> named(const std::vector<CLI::Option*>& options) {
 }  // namespace
 
 FileOptions::FileOptions(CLI::App& app, Options& options) {
-  inputs_ = {add_file(app, "source", options.source, "the cloud to move (.pcd, .ply, .obj)"),
-             add_file(app, "target", options.target, "the cloud that stays (.pcd, .ply, .obj)")};
+  inputs_ = {add_input(app, "source", options.source,
+                       "the cloud to move: " + read_extensions() +
+                           ", also with .gz behind it; - is standard input"),
+             add_input(app, "target", options.target, "the cloud that stays")};
   for (CLI::Option* cloud : inputs_) cloud->required();
   add_outputs(app, options);
   add_user_data(app, options);
+  add_formats(app, options);
 }
 
 void FileOptions::add_outputs(CLI::App& app, Options& options) {
   outputs_ = {
-      add_file(app, "-o,--output", options.output,
-               "write T here as text, 4 lines of 4 numbers (default: standard output, which then "
-               "gets nothing else)"),
-      add_file(app, "--aligned", options.aligned,
-               "write the source moved by T here, with all its fields, as binary .pcd or .ply; "
-               "normals and the sensor's pose are moved too"),
-      add_file(app, "--report", options.report,
-               "write settings, versions, timings, counts, quality, verdict and T here as JSON")};
+      add_output(app, "-o,--output", options.output,
+                 "write T here as text, 4 lines of 4 numbers (default: standard output, which then "
+                 "gets nothing else)"),
+      add_output(
+          app, "--aligned", options.aligned,
+          "write the source moved by T here, with all its fields, as " + written_extensions() +
+              " (PCD and PLY are binary); normals, the sensor's pose and the faces of a mesh are "
+              "moved too, but a PCD file gets the points that sample a mesh"),
+      add_output(app, "--report", options.report,
+                 "write settings, versions, timings, counts, quality, verdict and T here as JSON")};
   for (CLI::Option* output : outputs_) output->group("Output files");
   app.add_flag("--residuals", options.residuals,
                wrapped("measure the distance of each moved source point to the nearest target "
@@ -52,13 +73,13 @@ void FileOptions::add_outputs(CLI::App& app, Options& options) {
 
 void FileOptions::add_user_data(CLI::App& app, Options& options) {
   inputs_.push_back(
-      add_file(app, "--guess", options.guess,
-               "a text file of a 4x4 pose, source into target, to try among others; the search "
-               "does not stay near it, unless --guess-rotation or --guess-translation say how "
-               "near")
+      add_input(app, "--guess", options.guess,
+                "a text file of a 4x4 pose, source into target, to try among others; the search "
+                "does not stay near it, unless --guess-rotation or --guess-translation say how "
+                "near")
           ->group(kUserData));
   inputs_.push_back(
-      add_file(
+      add_input(
           app, "--correspondences", options.correspondences.path,
           "a text file of correspondences to use instead of matching features: each line has the "
           "number of a source point and of a target point, counted from 0")
@@ -74,10 +95,36 @@ void FileOptions::add_user_data(CLI::App& app, Options& options) {
       ->group(kUserData);
 }
 
-void FileOptions::check(const Options& options) const {
+void FileOptions::add_formats(CLI::App& app, Options& options) {
+  app.add_option(
+         "--mesh-points", mesh_points_,
+         wrapped("how many points sample the surface of a mesh, evenly; 0 takes its vertices "
+                 "[from 0 to 100000000; default 100000, or 0 where user-provided data belong "
+                 "to the vertices]"))
+      ->type_name("N")
+      ->group(kFormats);
+  app.add_option(
+         "--input-format", options.input_format,
+         wrapped("read both clouds as this format, whatever their names say [" + read_extensions() +
+                 "; default by the extension, or of a stream without one "
+                 "by its beginning]"))
+      ->type_name("NAME")
+      ->group(kFormats);
+  app.add_option("--aligned-format", options.aligned_format,
+                 wrapped("write --aligned in this format [" + written_extensions() +
+                         "; default by the extension, or of a stream without one as the source]"))
+      ->type_name("NAME")
+      ->group(kFormats);
+}
+
+void FileOptions::check(Options& options) const {
   if (options.residuals && options.aligned.empty() && options.report.empty())
     throw UsageFailure("--residuals: expected --aligned or --report to write them to");
-  check_file_names(named(inputs_), named(outputs_));
+  check_formats(options);
+  options.mesh_points = mesh_points(mesh_points_, options);
+  const auto inputs = named(inputs_), outputs = named(outputs_);
+  check_file_names(inputs, outputs, options.aligned_format);
+  check_streams(inputs, outputs, options.output.empty());
 }
 
 }  // namespace cli

@@ -1,16 +1,36 @@
 #include "options/help_text.h"
 
-namespace cli {
+#include "formats/format.h"
+#include "text/words.h"
 
-const char kShortHelp[] = R"(Usage: pcl_emtr [OPTIONS] source target
+namespace cli {
+namespace {
+
+/// Returns the extensions, and where to break the line between them.
+std::string formats_text() {
+  std::string text;
+  for (const Format& format : formats()) text += std::string(format.extension) + " ";
+  text = wrapped(text + "(.gz)", 77);
+  const std::string indent = "\n  ";
+  for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos; at += indent.size())
+    text.replace(at, 1, indent);
+  return text;
+}
+
+}  // namespace
+
+std::string short_help() {
+  return R"(Usage: pcl_emtr [OPTIONS] source target
 
 Registers two partially overlapping point clouds without an initial guess.
 Prints T, which maps source into target: q = R p + t.
 
-  source              the cloud to move (.pcd, .ply, .obj)
-  target              the cloud that stays
+  source, target      the cloud to move and the cloud that stays, or - (stdin):
+  )" + formats_text() +
+         R"(
   -o, --output FILE   write T to this text file instead of standard output
-  --aligned FILE      write the source moved by T as .pcd or .ply
+  --aligned FILE      write the source moved by T as )" +
+         written_extensions() + R"(
   --report FILE       write settings, timings, quality, verdict and T as JSON
   --residuals         add each point's distance to the target to both files
   --preset NAME       default, fast, thorough, or paper (the published method)
@@ -26,31 +46,42 @@ Example: pcl_emtr scan1.pcd scan2.pcd -o T.txt --aligned moved.pcd
 Exit codes: 0 registered, 1 wrong usage, 2 a file cannot be read or written,
 3 not registered (T is doubtful), 130 or 143 stopped by a signal.
 )";
+}
 
 const char kDescription[] =
     "Registers two partially overlapping point clouds. It needs no initial guess and no length in\n"
     "the clouds' unit. The result is the rigid transformation T that maps SOURCE into TARGET,\n"
     "q = R p + t. The method is EMTR-SSC: evolutionary multitasking with solution space cutting.\n";
 
-const char kFooter[] = R"(
+std::string help_footer() {
+  std::string list;
+  for (const Format& format : formats())
+    list += std::string("  ") + format.extension + "  " + format.meaning + "\n";
+  return R"(
 Examples:
   pcl_emtr scan1.pcd scan2.pcd -o T.txt          the matrix, read by numpy.loadtxt("T.txt")
   pcl_emtr scan1.ply scan2.obj > T.txt           the same; all messages go to standard error
   pcl_emtr a.pcd b.pcd -o T.txt --aligned moved.pcd --report run.json
+  pcl_emtr scan.pts model.stl -o T.txt --aligned moved.ply --mesh-points 50000
+  zcat a.pcd.gz | pcl_emtr - b.pcd --aligned - -o T.txt | ...   streams
   pcl_emtr a.pcd b.pcd --seed 7 --threads 4      same seed, same result, for any --threads
   pcl_emtr a.pcd b.pcd --preset paper --dense-points 8000 --iterations 200
 
+Formats, by extension in any letter case:
+)" + list +
+         R"(
 Notes:
-  Clouds are PCD (ascii, binary, compressed), PLY or OBJ by extension, in any letter case. Their
-  x, y and z must be float or double. Points with a NaN or an infinity are dropped and counted.
-  A mesh is read without its faces and textures.
+  The x, y and z of PCD and PLY must be float or double. Points with a NaN or an infinity are
+  dropped and counted. A file that ends in .gz is unpacked. A pipe or a device is read and written
+  as a stream; - is standard input or output. The surface of a mesh is sampled by points.
   Presets: "default" has the default values above, "fast" takes less time, "thorough" always adds
   the fallback search, and "paper" is the method as published by Wu et al., IEEE TETCI, 2023. A
   setting given together with a preset changes that one setting.
   The confidence is the estimated probability that T is right: within 5 degrees, and with the
   source within 0.06 of the larger cloud's radius. Preset "paper" has none.
-  Outputs are written whole or not at all. Ctrl-C, SIGTERM and --time-limit stop the search: it
-  gives the best pose so far, as not registered. A second Ctrl-C ends the program at once.
+  Output files are written whole or not at all. NO_COLOR and TERM=dumb switch colors off.
+  Ctrl-C, SIGTERM and --time-limit stop the search: it gives the best pose so far, as not
+  registered. A second Ctrl-C ends the program at once.
 
 Exit codes:
   0  registered
@@ -62,5 +93,6 @@ Exit codes:
      direction unconstrained, or the time limit
   130, 143  stopped by Ctrl-C or by SIGTERM: the best pose so far is written, if any was known
 )";
+}
 
 }  // namespace cli

@@ -6,12 +6,12 @@
 
 namespace cli {
 
-/// The text of --help: what most people need, on a screen of 80x24.
-extern const char kShortHelp[];
+/// Returns the text of --help: what most people need, on a screen of 80x24.
+std::string short_help();
 
 // The texts of --help-all above and below the options.
 extern const char kDescription[];
-extern const char kFooter[];
+std::string help_footer();
 
 /// Formats --help-all like CLI11, with one empty line between groups of options rather than two.
 class HelpFormatter : public CLI::Formatter {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "formats/format.h"
 #include "read/correspondence_file.h"
 #include "read/user_fields.h"
 
@@ -17,6 +18,10 @@ struct Options {
   std::string aligned;  // the moved source
   std::string report;
   std::string guess;
+  std::string input_format;            // of both clouds; empty: by extension or beginning
+  std::string aligned_format;          // of --aligned; empty: by extension
+  const Format* aligned_as = nullptr;  // the format of --aligned, once the source is read
+  std::size_t mesh_points = 0;         // that sample each mesh; 0: its vertices
   UserFields fields;
   CorrespondenceFile correspondences;
   std::string preset = "default";

@@ -3,43 +3,50 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 
 #include "failure.h"
+#include "files/streams.h"
+#include "formats/format.h"
 
 namespace cli {
 
+std::string lower_case(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+bool is_compressed(const std::string& path) {
+  return lower_case(std::filesystem::path(path).extension().string()) == ".gz";
+}
+
 std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  const std::filesystem::path whole(path);
+  const std::string last = lower_case(whole.extension().string());
+  return last == ".gz" ? lower_case(whole.stem().extension().string()) : last;
 }
 
-bool names_cloud(const std::string& path) {
+std::string wrong_extension(const std::string& path) {
   const std::string extension = extension_of(path);
-  return extension == ".pcd" || extension == ".ply" || extension == ".obj";
+  return extension.empty() ? "has no extension" : "unknown extension '" + extension + "'";
 }
 
-void require_cloud_file(const std::string& path) {
+void require_cloud_file(const std::string& path, const std::string& format) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found)
     throw FileFailure(path, "no such file");
-  if (error) throw FileFailure(path, error.message());
   if (std::filesystem::is_directory(status))
-    throw FileFailure(path, "is a directory, expected a .pcd, .ply or .obj file");
-  if (!std::filesystem::is_regular_file(status))
-    throw FileFailure(path, "is not a regular file, expected a .pcd, .ply or .obj file");
-  const std::string extension = extension_of(path);
-  if (!names_cloud(path))
-    throw FileFailure(
-        path, (extension.empty() ? "has no extension" : "unknown extension '" + extension + "'") +
-                  ", expected .pcd, .ply or .obj");
+    throw FileFailure(path, "is a directory, expected a file: " + read_extensions());
   if (access(path.c_str(), R_OK) != 0) throw FileFailure(path, std::strerror(errno));
+  if (is_stream(path)) return;
+  if (error) throw FileFailure(path, error.message());
+  if (format.empty() && !format_of(path))
+    throw FileFailure(
+        path, wrong_extension(path) + ", expected " + read_extensions() + ", or --input-format");
   if (std::filesystem::file_size(path) == 0) throw FileFailure(path, "is empty");
 }
 

@@ -1,78 +1,94 @@
 #include "read/obj_reader.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <vector>
 
 #include "failure.h"
+#include "read/blob.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
 namespace cli {
 namespace {
 
-/// Reads the first three numbers behind the keyword; a color may follow them.
-void read_three(const std::vector<std::string_view>& words, const std::string& path,
-                std::uint64_t line, std::vector<float>& values) {
-  if (words.size() < 4)
-    throw FileFailure(path, "line " + std::to_string(line) + " has " +
-                                std::to_string(words.size() - 1) +
-                                " coordinates, expected at least 3");
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    const auto value = parse_real(words[i]);
-    if (!value)
-      throw FileFailure(
-          path, "line " + std::to_string(line) + ": '" + shown(words[i]) + "' is not a number");
-    if (i < 4) values.push_back(static_cast<float>(*value));
-  }
-}
+class ObjLines {
+ public:
+  explicit ObjLines(const std::string& path) : path_(path) {}
 
-void add_fields(pcl::PCLPointCloud2& blob, const std::string& prefix) {
-  for (const char* axis : {"x", "y", "z"}) {
-    pcl::PCLPointField field;
-    field.name = prefix + axis;
-    field.offset = blob.point_step;
-    field.datatype = pcl::PCLPointField::FLOAT32;
-    field.count = 1;
-    blob.fields.push_back(field);
-    blob.point_step += sizeof(float);
-  }
-}
+  std::vector<double> vertices, normals;
+  Faces faces;
 
-void fill(pcl::PCLPointCloud2& blob, std::size_t offset, const std::vector<float>& values) {
-  for (std::size_t i = 0; 3 * i < values.size(); ++i)
-    std::memcpy(&blob.data[i * blob.point_step + offset], &values[3 * i], 3 * sizeof(float));
-}
+  void add(const std::vector<std::string_view>& words) {
+    ++line_;
+    if (words.empty()) return;
+    if (words[0] == "v") add_three(words, vertices);
+    if (words[0] == "vn") add_three(words, normals);
+    if (words[0] == "f") add_face(words);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw FileFailure(path_, "line " + std::to_string(line_) + what);
+  }
+
+  /// Reads the first three numbers behind the keyword; a color may follow them.
+  void add_three(const std::vector<std::string_view>& words, std::vector<double>& values) const {
+    if (words.size() < 4)
+      fail(" has " + std::to_string(words.size() - 1) + " coordinates, expected at least 3");
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const auto value = parse_real(words[i]);
+      if (!value) fail(": '" + shown(words[i]) + "' is not a number");
+      if (i < 4) values.push_back(*value);
+    }
+  }
+
+  /// Reads the vertex of each corner, "7", "7/2" or "-1//3": counted from 1, or from the last one.
+  void add_face(const std::vector<std::string_view>& words) {
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      std::string_view word = words[i].substr(0, words[i].find('/'));
+      const bool from_last = word.substr(0, 1) == "-";
+      if (from_last) word.remove_prefix(1);
+      const auto number = parse_unsigned(word);
+      const std::size_t known = vertices.size() / 3;
+      if (!number || *number == 0 || *number > (from_last ? known : 0xfffffffeu))
+        fail(": '" + shown(words[i]) + "' is not a vertex, expected one of " +
+             std::to_string(known) + ", counted from 1");
+      faces.corners.push_back(
+          static_cast<std::uint32_t>(from_last ? known - *number : *number - 1));
+    }
+    faces.close();
+  }
+
+  const std::string& path_;
+  std::uint64_t line_ = 0;
+};
 
 }  // namespace
 
-std::string read_obj(const std::string& path, pcl::PCLPointCloud2& blob) {
-  std::ifstream in(path, std::ios::binary);
-  std::vector<float> vertices, normals;
+void read_obj(CloudFile& cloud) {
+  std::ifstream in(cloud.place, std::ios::binary);
+  ObjLines lines(cloud.path);
   std::string line;
-  for (std::uint64_t number = 1; std::getline(in, line); ++number) {
-    const auto words = words_of(line);
-    if (words.empty()) continue;
-    if (words[0] == "v") read_three(words, path, number, vertices);
-    if (words[0] == "vn") read_three(words, path, number, normals);
-  }
-  if (vertices.empty()) throw FileFailure(path, "holds no points, expected OBJ lines 'v x y z'");
-  if (vertices.size() / 3 > 0xffffffffu) throw FileFailure(path, "holds more points than PCL can");
+  while (std::getline(in, line)) lines.add(words_of(line));
 
-  const bool with_normals = normals.size() == vertices.size();
-  add_fields(blob, "");
-  if (with_normals) add_fields(blob, "normal_");
-  blob.width = static_cast<std::uint32_t>(vertices.size() / 3);
-  blob.height = 1;
-  blob.row_step = blob.point_step * blob.width;
-  blob.is_dense = false;  // nobody has looked for NaN
-  blob.data.resize(std::size_t{blob.point_step} * blob.width);
-  fill(blob, 0, vertices);
-  if (with_normals) fill(blob, 3 * sizeof(float), normals);
-  if (normals.empty() || with_normals) return "";
-  return "its " + std::to_string(normals.size() / 3) +
-         " normals are left out, there is not one for each vertex";
+  const auto& normals = lines.normals;
+  const bool with_normals = !normals.empty() && normals.size() == lines.vertices.size();
+  cloud.blob = with_normals ? doubles_blob({"x", "y", "z", "normal_x", "normal_y", "normal_z"})
+                            : doubles_blob({"x", "y", "z"});
+  reserve_points(cloud.blob, lines.vertices.size() / 3);
+  for (std::size_t i = 0; i < lines.vertices.size(); i += 3) {
+    double values[6] = {lines.vertices[i], lines.vertices[i + 1], lines.vertices[i + 2]};
+    if (with_normals) std::copy_n(&normals[i], 3, values + 3);
+    add_point(cloud.blob, values);
+  }
+  finish_blob(cloud.blob, cloud.path, "OBJ lines 'v x y z'");
+  cloud.faces = std::move(lines.faces);
+  require_corners(cloud.faces, cloud.size(), cloud.path);
+  if (!normals.empty() && !with_normals)
+    cloud.add_note("its " + std::to_string(normals.size() / 3) +
+                   " normals are left out, there is not one for each vertex");
 }
 
 }  // namespace cli

@@ -71,8 +71,8 @@ void check_compressed(std::istream& in, const std::string& path, std::uint64_t b
 
 }  // namespace
 
-std::uint64_t check_pcd(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
+std::uint64_t check_pcd(const std::string& place, const std::string& path) {
+  std::ifstream in(place, std::ios::binary);
   const PcdHeader header(in, path);
   const Layout layout = layout_of(header, path);
   if (layout.bytes == 0) throw FileFailure(path, "its PCD header has no FIELDS");

@@ -9,7 +9,7 @@
 namespace cli {
 
 void read_pcd_viewpoint(CloudFile& cloud) {
-  std::ifstream in(cloud.path, std::ios::binary);
+  std::ifstream in(cloud.place, std::ios::binary);
   const auto viewpoint = PcdHeader(in, cloud.path).viewpoint();
   if (!viewpoint) return;
   const auto& v = *viewpoint;
@@ -19,7 +19,7 @@ void read_pcd_viewpoint(CloudFile& cloud) {
   } else {
     cloud.sensor_origin.setZero();
     cloud.sensor_orientation.setIdentity();
-    cloud.note = "its VIEWPOINT is left out, it is not finite";
+    cloud.add_note("its VIEWPOINT is left out, it is not finite");
   }
 }
 

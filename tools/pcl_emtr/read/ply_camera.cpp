@@ -63,7 +63,7 @@ bool skip(std::istream& in, const PlyElement& element, bool text) {
 }  // namespace
 
 void read_ply_camera(CloudFile& cloud) {
-  std::ifstream in(cloud.path, std::ios::binary);
+  std::ifstream in(cloud.place, std::ios::binary);
   const PlyHeader header = read_ply_header(in, cloud.path);
   const PlyElement* camera = header.find("camera");
   if (!camera || camera->count != 1 || camera->has_list()) return;

@@ -71,8 +71,8 @@ void check_unique_names(const PlyElement& vertex, const std::string& path) {
 
 }  // namespace
 
-std::uint64_t check_ply(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
+std::uint64_t check_ply(const std::string& place, const std::string& path) {
+  std::ifstream in(place, std::ios::binary);
   const PlyHeader header = read_ply_header(in, path);
   const PlyElement* vertex = header.find("vertex");
   if (!vertex || vertex->count == 0) throw FileFailure(path, "holds no points (PLY vertices)");

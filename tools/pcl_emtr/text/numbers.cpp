@@ -35,6 +35,10 @@ std::optional<std::uint64_t> parse_unsigned(std::string_view text) {
 
 std::string exact(double value) { return printed("%.17g", value); }
 
+std::string exact_single(float value) { return printed("%.9g", value); }
+
+std::string rounded(double value) { return printed("%.3g", value); }
+
 std::string brief(double value) { return printed("%.7g", value); }
 
 }  // namespace cli

@@ -1,20 +1,31 @@
 #include "write/cloud_output.h"
 
 #include "failure.h"
-#include "read/cloud_path.h"
+#include "write/obj_output.h"
 #include "write/pcd_output.h"
 #include "write/ply_output.h"
 
 namespace cli {
+namespace {
 
-void require_writable_as(const std::string& path, const CloudFile& cloud) {
-  if (extension_of(path) == ".ply") require_ply_fields(cloud, path);
+bool write_as(const std::string& extension, const CloudFile& cloud, const std::string& temporary) {
+  if (extension == ".ply") return write_ply(cloud, temporary);
+  if (extension == ".obj") return write_obj(cloud, temporary);
+  return write_pcd(cloud, temporary);
 }
 
-void write_cloud(const CloudFile& cloud, const std::string& path, const std::string& temporary) {
-  const bool whole =
-      extension_of(path) == ".ply" ? write_ply(cloud, temporary) : write_pcd(cloud, temporary);
-  if (!whole) throw FileFailure(path, "cannot be written whole, is the disk full?");
+}  // namespace
+
+void require_writable_as(const std::string& path, const Format& format, const CloudFile& cloud) {
+  const std::string extension = format.extension;
+  if (extension == ".ply") require_ply_fields(cloud, path);
+  if (extension == ".obj") require_obj_fields(cloud, path);
+}
+
+void write_cloud(const CloudFile& cloud, const Format& format, const std::string& path,
+                 const std::string& temporary) {
+  if (!write_as(format.extension, cloud, temporary))
+    throw FileFailure(path, "cannot be written whole, is the disk full?");
 }
 
 }  // namespace cli

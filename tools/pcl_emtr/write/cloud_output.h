@@ -6,11 +6,13 @@
 
 namespace cli {
 
-/// Throws FileFailure when the format of `path` (.pcd or .ply) cannot hold one of the fields.
-void require_writable_as(const std::string& path, const CloudFile& cloud);
+/// Throws FileFailure about `path` when the format cannot hold one of the fields of the cloud, or
+/// of the vertices of a mesh whose faces it keeps.
+void require_writable_as(const std::string& path, const Format& format, const CloudFile& cloud);
 
-/// Writes a binary PCD or PLY, by the extension of `path`, to the file `temporary`. Throws
-/// FileFailure about `path` unless every byte arrived.
-void write_cloud(const CloudFile& cloud, const std::string& path, const std::string& temporary);
+/// Writes a binary PCD, a binary PLY or an OBJ to the file `temporary`. Throws FileFailure about
+/// `path` unless every byte arrived.
+void write_cloud(const CloudFile& cloud, const Format& format, const std::string& path,
+                 const std::string& temporary);
 
 }  // namespace cli

@@ -34,6 +34,7 @@ void move_cloud(CloudFile& cloud, const Eigen::Matrix4d& transformation) {
     for (std::size_t i = 0; i < cloud.size(); ++i, point += cloud.blob.point_step)
       field.set(point, rotation * field.get(point) + offset);
   }
+  cloud.rotation = rotation * cloud.rotation;
   // A default pose that is moved would look like one that somebody has measured.
   if (!cloud.sensor_known) return;
   cloud.sensor_origin = rotation * cloud.sensor_origin + translation;

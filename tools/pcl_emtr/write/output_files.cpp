@@ -9,8 +9,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <utility>
 
 #include "failure.h"
+#include "files/stream_writer.h"
+#include "files/streams.h"
 
 namespace cli {
 namespace {
@@ -47,27 +51,35 @@ OutputFiles::~OutputFiles() {
 }
 
 void OutputFiles::require_writable(const std::string& path) {
+  if (is_stream(path)) return require_writable_stream(path);
   const std::string place = place_of(path);
   const auto status = std::filesystem::status(place);
   if (std::filesystem::is_directory(status))
     throw FileFailure(path, "cannot be written: is a directory");
-  if (std::filesystem::exists(status)) {
-    if (!std::filesystem::is_regular_file(status))
-      throw FileFailure(path, "cannot be written: is not a regular file");
-    if (access(place.c_str(), W_OK) != 0)
-      throw FileFailure(path, std::string("cannot be written: ") + std::strerror(errno));
-  }
+  if (std::filesystem::exists(status) && access(place.c_str(), W_OK) != 0)
+    throw FileFailure(path, std::string("cannot be written: ") + std::strerror(errno));
   std::remove(create_temporary(path, place).c_str());
 }
 
 void OutputFiles::write(const std::string& path,
                         const std::function<void(const std::string&)>& fill) {
+  if (is_stream(path)) {
+    auto spool = std::make_unique<Spool>(path);
+    fill(spool->place());
+    auto bytes = std::make_unique<std::ifstream>(spool->place(), std::ios::binary);
+    streams_.push_back({path, std::move(bytes), std::move(spool)});
+    return;
+  }
   const std::string place = place_of(path);
   pending_.push_back({path, place, create_temporary(path, place)});
   fill(pending_.back().temporary);
 }
 
 void OutputFiles::write_text(const std::string& path, const std::string& text) {
+  if (is_stream(path)) {
+    streams_.push_back({path, std::make_unique<std::istringstream>(text), nullptr});
+    return;
+  }
   write(path, [&](const std::string& temporary) {
     std::ofstream out(temporary, std::ios::binary);
     out << text;
@@ -77,6 +89,7 @@ void OutputFiles::write_text(const std::string& path, const std::string& text) {
 }
 
 void OutputFiles::commit() {
+  for (const Stream& stream : streams_) write_stream(stream.path, *stream.bytes);
   while (!pending_.empty()) {
     const Pending& file = pending_.front();
     if (std::rename(file.temporary.c_str(), file.place.c_str()) != 0)

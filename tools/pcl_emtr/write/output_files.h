@@ -1,13 +1,18 @@
 #pragma once
 
 #include <functional>
+#include <istream>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "files/spool.h"
 
 namespace cli {
 
 /// Makes several output files appear together: writes each beside its place first, and renames all
-/// when the last one is complete. Removes whatever was not committed.
+/// when the last one is complete. Removes whatever was not committed. What is no regular file is
+/// never replaced: it is written to as a stream, before the files are renamed.
 class OutputFiles {
  public:
   OutputFiles() = default;
@@ -30,7 +35,13 @@ class OutputFiles {
     std::string place;
     std::string temporary;
   };
+  struct Stream {
+    std::string path;
+    std::unique_ptr<std::istream> bytes;
+    std::unique_ptr<Spool> spool;  // has the bytes, unless they are in memory
+  };
   std::vector<Pending> pending_;
+  std::vector<Stream> streams_;
 };
 
 }  // namespace cli

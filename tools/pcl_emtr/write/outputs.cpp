@@ -1,13 +1,12 @@
 #include "write/outputs.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
+#include <csignal>
 #include <string>
 
-#include "failure.h"
 #include "interrupt.h"
+#include "mesh/sample_mesh.h"
 #include "report/report.h"
+#include "report/residuals.h"
 #include "write/cloud_output.h"
 #include "write/matrix_text.h"
 #include "write/moved_cloud.h"
@@ -17,32 +16,37 @@
 namespace cli {
 namespace {
 
-void print_matrix(const std::string& text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (std::fflush(stdout) != 0 || !written)
-    throw Failure(kInputOutput,
-                  std::string("standard output cannot be written: ") + std::strerror(errno));
+constexpr char kStandardOutput[] = "/dev/stdout";
+
+/// Moves the source and writes it: the vertices and faces of a mesh where the format has faces,
+/// else the points that were registered.
+void write_aligned(const Options& options, CloudFile& source, const CloudFile& target,
+                   const emtr_result& result, std::vector<double> residuals, OutputFiles& files) {
+  if (source.sampled() && options.aligned_as->with_faces) {
+    take_vertices(source);
+    if (options.residuals) residuals = measure_residuals(source, target, options, result);
+  }
+  using RowMajor = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
+  move_cloud(source, Eigen::Map<const RowMajor>(result.transformation));
+  if (options.residuals) set_residuals(source, residuals);
+  files.write(options.aligned, [&](const std::string& temporary) {
+    write_cloud(source, *options.aligned_as, options.aligned, temporary);
+  });
 }
 
 }  // namespace
 
 void write_outputs(const Options& options, CloudFile& source, const CloudFile& target,
-                   const emtr_result& result, const std::vector<double>& residuals) {
-  ignore_interrupts();
+                   const emtr_result& result, const std::vector<double>& residuals,
+                   const UnitHint& hint) {
+  const Interrupt interrupt(Interrupt::kEndsCalls);
+  std::signal(SIGPIPE, SIG_IGN);  // a reader who leaves is an error of writing
   OutputFiles files;
   const std::string matrix = matrix_text(result.transformation);
-  if (!options.output.empty()) files.write_text(options.output, matrix);
+  files.write_text(options.output.empty() ? kStandardOutput : options.output, matrix);
   if (!options.report.empty())
-    files.write_text(options.report, report(options, source, target, result, residuals));
-  if (!options.aligned.empty()) {
-    using RowMajor = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
-    move_cloud(source, Eigen::Map<const RowMajor>(result.transformation));
-    if (options.residuals) set_residuals(source, residuals);
-    files.write(options.aligned, [&](const std::string& temporary) {
-      write_cloud(source, options.aligned, temporary);
-    });
-  }
-  if (options.output.empty()) print_matrix(matrix);
+    files.write_text(options.report, report(options, source, target, result, residuals, hint));
+  if (!options.aligned.empty()) write_aligned(options, source, target, result, residuals, files);
   files.commit();
 }
 

@@ -8,7 +8,9 @@
 #include <set>
 
 #include "failure.h"
+#include "files/spool.h"
 #include "text/words.h"
+#include "write/ply_face_output.h"
 #include "write/sensor_pose.h"
 
 namespace cli {
@@ -58,7 +60,7 @@ pcl::PCLPointCloud2 ply_blob(const CloudFile& cloud) {
 
 void require_ply_fields(const CloudFile& cloud, const std::string& path) {
   std::set<std::string> names;
-  for (const auto& field : cloud.blob.fields) {
+  for (const auto& field : cloud.file_fields()) {
     if (field.name == "_") continue;
     const auto refuse = [&](const std::string& lacks, const std::string& why) {
       std::string words = "PLY ";
@@ -80,7 +82,9 @@ void require_ply_fields(const CloudFile& cloud, const std::string& path) {
   }
 }
 
-bool write_ply(const CloudFile& cloud, const std::string& path) {
+namespace {
+
+bool write_vertices(const CloudFile& cloud, const std::string& path) {
   const pcl::PCLPointCloud2 blob = ply_blob(cloud);
   pcl::PLYWriter writer;
   const auto origin = origin_of(cloud);
@@ -92,6 +96,15 @@ bool write_ply(const CloudFile& cloud, const std::string& path) {
       writer.generateHeaderBinary(blob, origin, orientation, static_cast<int>(cloud.size()), true)
           .size();
   return std::filesystem::file_size(path) == header + row * cloud.size() + kCameraBytes;
+}
+
+}  // namespace
+
+bool write_ply(const CloudFile& cloud, const std::string& path) {
+  if (cloud.faces.empty()) return write_vertices(cloud, path);
+  const Spool vertices(path);
+  return write_vertices(cloud, vertices.place()) &&
+         add_ply_faces(vertices.place(), cloud.faces, kCameraBytes, path);
 }
 
 }  // namespace cli

@@ -34,14 +34,14 @@ std::size_t appended_field(pcl::PCLPointCloud2& blob) {
 
 }  // namespace
 
-void require_place_for_residuals(const CloudFile& cloud) {
-  const int index = pcl::getFieldIndex(cloud.blob, kField);
-  if (index < 0) return;
-  const auto& field = cloud.blob.fields[static_cast<std::size_t>(index)];
-  if (field.datatype != pcl::PCLPointField::FLOAT32 || field.count > 1)
-    throw FileFailure(cloud.path,
-                      "--residuals writes field 'residual', but the file has one already that is "
-                      "not a single float");
+void require_place_for_residuals(const CloudFile& cloud, const Format& format) {
+  if (format.extension == std::string(".obj"))
+    throw UsageFailure("--residuals: OBJ cannot hold field 'residual', write a .ply or .pcd file");
+  for (const auto& field : cloud.file_fields())
+    if (field.name == kField && (field.datatype != pcl::PCLPointField::FLOAT32 || field.count > 1))
+      throw FileFailure(cloud.path,
+                        "--residuals writes field 'residual', but the file has one already that is "
+                        "not a single float");
 }
 
 void set_residuals(CloudFile& cloud, const std::vector<double>& residuals) {

@@ -1,0 +1,82 @@
+// The module for LAS and LAZ files, by LASzip.
+#include <laszip/laszip_api.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "modules/module.h"
+
+namespace {
+
+/// Closes and frees a reader of LASzip.
+struct Reader {
+  laszip_POINTER laszip = nullptr;
+  bool open = false;
+
+  ~Reader() {
+    if (open) laszip_close_reader(laszip);
+    if (laszip) laszip_destroy(laszip);
+  }
+
+  std::string error() const {
+    laszip_CHAR* text = nullptr;
+    return laszip_get_error(laszip, &text) == 0 && text ? text : "for a reason that is not known";
+  }
+};
+
+/// Returns what is wrong with the file, or "".
+std::string read(const char* place, emtr_module_sink* sink) {
+  Reader reader;
+  laszip_BOOL compressed = 0;
+  laszip_header* header = nullptr;
+  laszip_point* point = nullptr;
+  laszip_I64 count = 0;
+  if (laszip_create(&reader.laszip) != 0) return "LASzip cannot be used";
+  if (laszip_open_reader(reader.laszip, place, &compressed) != 0)
+    return "cannot be read: " + reader.error();
+  reader.open = true;
+  if (laszip_get_header_pointer(reader.laszip, &header) != 0 ||
+      laszip_get_point_pointer(reader.laszip, &point) != 0 ||
+      laszip_get_point_count(reader.laszip, &count) != 0)
+    return "cannot be read: " + reader.error();
+  if (count <= 0) return "holds no points";
+  const auto bytes = static_cast<laszip_I64>(std::filesystem::file_size(place));
+  if (!compressed && count > bytes / std::max<laszip_I64>(header->point_data_record_length, 1))
+    return "truncated: its header declares " + std::to_string(count) + " points, it has " +
+           std::to_string(bytes) + " bytes";
+
+  const char* const names[] = {"intensity", "classification", "gps_time"};
+  // A file may declare any number of points; few compressed ones take less than a byte.
+  if (sink->begin(sink, names, 3, static_cast<uint64_t>(std::min(count, bytes)))) return "";
+  if (header->point_data_format == 2 || header->point_data_format == 3 ||
+      header->point_data_format >= 7)
+    sink->note(sink, "the colors of its points are left out");
+  for (laszip_I64 i = 0; i < count; ++i) {
+    double values[6] = {};
+    if (laszip_read_point(reader.laszip) != 0 || laszip_get_coordinates(reader.laszip, values) != 0)
+      return "truncated or damaged behind " + std::to_string(i) + " of " + std::to_string(count) +
+             " points: " + reader.error();
+    values[3] = point->intensity;
+    values[4] =
+        header->point_data_format >= 6 ? point->extended_classification : point->classification;
+    values[5] = point->gps_time;
+    if (sink->add(sink, values)) return "";
+  }
+  return "";
+}
+
+}  // namespace
+
+extern "C" int emtr_module_read_1(const char* place, emtr_module_sink* sink, char* error,
+                                  size_t size) {
+  std::string what;
+  try {
+    what = read(place, sink);
+  } catch (const std::exception& failure) {
+    what = failure.what();
+  }
+  std::snprintf(error, size, "%s", what.c_str());
+  return what.empty() ? 0 : 1;
+}
