@@ -32,15 +32,17 @@ std::string read(const char* place, emtr_module_sink* sink) {
   laszip_BOOL compressed = 0;
   laszip_header* header = nullptr;
   laszip_point* point = nullptr;
-  laszip_I64 count = 0;
   if (laszip_create(&reader.laszip) != 0) return "LASzip cannot be used";
   if (laszip_open_reader(reader.laszip, place, &compressed) != 0)
     return "cannot be read: " + reader.error();
   reader.open = true;
   if (laszip_get_header_pointer(reader.laszip, &header) != 0 ||
-      laszip_get_point_pointer(reader.laszip, &point) != 0 ||
-      laszip_get_point_count(reader.laszip, &count) != 0)
+      laszip_get_point_pointer(reader.laszip, &point) != 0)
     return "cannot be read: " + reader.error();
+  // LAS 1.4 has a second count, for more points than the first one can tell.
+  const auto count = static_cast<laszip_I64>(header->number_of_point_records
+                                                 ? header->number_of_point_records
+                                                 : header->extended_number_of_point_records);
   if (count <= 0) return "holds no points";
   const auto bytes = static_cast<laszip_I64>(std::filesystem::file_size(place));
   if (!compressed && count > bytes / std::max<laszip_I64>(header->point_data_record_length, 1))
