@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+from conftest import ROOT
 from test_settings import NAMES
 
 
@@ -91,6 +92,16 @@ def test_help_all_has_every_setting_by_group(run):
     assert found["--population"] == "Settings of the method: particle swarm"
     assert found["--output"] == "Output files" and found["--seed"] == "Options"
     assert found["--use-normals"] == "User-provided data"
+
+
+def test_every_format_is_on_its_page(run):
+    section = help_text(run, "--help-all").partition("Formats, by")[2].partition("Notes:")[0]
+    listed = re.findall(r"^  (\.\w+) ", section, re.MULTILINE)
+    assert len(listed) >= 14
+    table = (ROOT / "docs" / "FORMATS.md").read_text().partition("## Text")[0]
+    for extension in listed:
+        assert f"`{extension}`" in table
+        assert extension in help_text(run, "--help")
 
 
 def test_help_wins_over_whatever_else_is_given(run):

@@ -90,6 +90,15 @@ def check(program: Path) -> dict[str, int]:
     return dict(zip(words[::2], map(int, words[1::2])))
 
 
+def test_what_shells_and_man_read_is_installed(prefix):
+    if not (prefix / "bin/pcl_emtr").is_file():
+        pytest.skip("built without the command (EMTR_BUILD_TOOLS=OFF)")
+    share = prefix / "share"
+    assert "complete " in (share / "bash-completion/completions/pcl_emtr").read_text()
+    assert (share / "zsh/site-functions/_pcl_emtr").read_text().startswith("#compdef pcl_emtr")
+    assert ".TH PCL_EMTR 1" in (share / "man/man1/pcl_emtr.1").read_text()
+
+
 def test_c_by_cmake(prefix, libdir, tmp_path):
     if is_static(libdir):
         pytest.skip("an archive of C++ code needs a C++ linker and PCL")

@@ -64,7 +64,7 @@ std::size_t read_block(const std::string& path, gzFile file, std::vector<char>& 
 std::shared_ptr<Spool> unpack(const std::string& path,
                               const std::function<void(std::string_view)>& check) {
   const Gzip file = open_gzip(path);
-  const auto spool = std::make_shared<Spool>(path);
+  auto spool = std::make_shared<Spool>(path);
   std::vector<char> block(kBlock);
   std::uint64_t total = 0;
   while (const std::size_t count = read_block(path, file.get(), block)) {
