@@ -223,7 +223,7 @@ def test_ctrl_c_ends_the_wait_for_a_reader(command, small, tmp_path):
 
 
 def test_bomb_fills_no_memory(run, tmp_path):
-    """A gigabyte of zeros in a megabyte: unpacked to disk, and refused by what it begins with."""
+    """Zeros pack a thousand to one: they are unpacked to disk, and refused at the first one."""
     (tmp_path / "bomb.xyz.gz").write_bytes(gzip.compress(b"1 2 3\n" * 10 + bytes(1 << 26)))
     cloud_files.write_pcd(tmp_path / "b.pcd", POINTS)
     done = run("bomb.xyz.gz", "b.pcd", "-o", "T.txt")

@@ -42,7 +42,7 @@ std::vector<Eigen::Vector3d> SurfaceSampling::points(std::size_t count) const {
       v = 1 - v;
     }
     const Eigen::Vector3d& a = vertices_[triangle->a];
-    out.push_back(a + u * (vertices_[triangle->b] - a) + v * (vertices_[triangle->c] - a));
+    out.emplace_back(a + u * (vertices_[triangle->b] - a) + v * (vertices_[triangle->c] - a));
   }
   return out;
 }

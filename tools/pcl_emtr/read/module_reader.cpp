@@ -16,11 +16,11 @@ namespace {
 struct Module {
   const char* file;
   const char* option;   // of CMake
-  const char* package;  // of Debian
+  const char* package;  // of Debian, where it has one
 };
 
 constexpr Module kLas = {"pcl_emtr_las.so", "EMTR_WITH_LASZIP", "liblaszip-dev"};
-constexpr Module kE57 = {"pcl_emtr_e57.so", "EMTR_WITH_E57", "libe57format-dev"};
+constexpr Module kE57 = {"pcl_emtr_e57.so", "EMTR_WITH_E57", "libE57Format"};
 
 struct Sink : emtr_module_sink {
   explicit Sink(CloudFile& cloud_file) : emtr_module_sink{}, cloud(cloud_file) {
