@@ -177,6 +177,7 @@ def test_streams_that_cannot_be_meant(shell, line, pattern):
         ("head -c 900 a.pcd | $CLI - b.pcd", "'/dev/stdin': truncated: its header declares"),
         ("gzip -k a.pcd; printf 'XXXXXXXX' | dd of=a.pcd.gz bs=1 seek=600 conv=notrunc;"
          " $CLI a.pcd.gz b.pcd", "'a.pcd.gz': damaged: its gzip data"),
+        ("TMPDIR=/nowhere $CLI - b.pcd < a.pcd", "'/dev/stdin': needs a temporary file in TMPDIR"),
         ("$CLI a.pcd b.pcd -o /dev/fd/77", "'/dev/fd/77': cannot be written"),
         ("$CLI a.pcd b.pcd -o /dev/stdin < /dev/null", "'/dev/stdin': cannot be written"),
         ("$CLI a.pcd b.pcd -o T --aligned m.ply.gz", "--aligned does not compress"),
@@ -187,6 +188,12 @@ def test_streams_that_fail(shell, tmp_path, line, pattern):
     done = shell(line)
     assert done.returncode == 2 and pattern in done.stderr, done.stderr
     assert not done.stdout and not (tmp_path / "T").exists()
+
+
+def test_a_matrix_needs_no_temporary_file(shell, matrix):
+    for name in ("", "-o -", "-o >(cat)"):
+        done = shell(f"TMPDIR=/nowhere $CLI a.pcd b.pcd {name}; sleep 0.2")
+        assert done.stdout == matrix, done.stderr
 
 
 def test_text_files_from_streams(shell, tmp_path, matrix):
