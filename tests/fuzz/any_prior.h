@@ -3,6 +3,7 @@
 #include <emtr/emtr.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "calls.h"
 #include "input.h"

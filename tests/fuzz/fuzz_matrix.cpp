@@ -1,4 +1,5 @@
 // Fuzzes files of a 4x4 matrix, as pcl_emtr --guess reads them.
+#include <cstddef>
 #include <string>
 
 #include "failure.h"

@@ -2,6 +2,7 @@
 #include <emtr/emtr.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 #include <vector>
 

@@ -3,10 +3,12 @@
 #include <pcl/console/print.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 
 #include "input.h"
 

@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <array>
+#include <cstddef>
 
 namespace cli {
 namespace {

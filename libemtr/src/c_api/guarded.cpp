@@ -1,5 +1,6 @@
 #include "c_api/guarded.h"
 
+#include <exception>
 #include <new>
 #include <stdexcept>
 #include <string>

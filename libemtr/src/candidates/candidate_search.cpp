@@ -1,5 +1,7 @@
 #include "candidates/candidate_search.h"
 
+#include <utility>
+
 #include "candidates/fallback_search.h"
 #include "candidates/plane_aligned_poses.h"
 #include "candidates/rivals.h"

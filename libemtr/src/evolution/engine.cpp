@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "evolution/knowledge_transfer.h"
 #include "util/thread_team.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "features/fpfh_backends.h"
 #include "geometry/pcl_cloud.h"

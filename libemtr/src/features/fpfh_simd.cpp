@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "features/fpfh_backends.h"
 #include "util/constants.h"

@@ -1,5 +1,7 @@
 // Computes the pairwise consistency of correspondences. Included by each instruction set's file.
 
+#include "kernels/lanes.h"
+
 namespace emtr::EMTR_KERNEL {
 namespace {
 

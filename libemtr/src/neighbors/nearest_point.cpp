@@ -2,6 +2,7 @@
 
 #include <pcl/kdtree/kdtree_flann.h>
 
+#include <utility>
 #include <vector>
 
 #include "geometry/pcl_cloud.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <type_traits>
 
 #include "geometry/pcl_cloud.h"
 #include "util/thread_team.h"

@@ -1,6 +1,7 @@
 #include "priors/make_prior.h"
 
 #include <string>
+#include <utility>
 
 #include "util/constants.h"
 #include "util/error.h"

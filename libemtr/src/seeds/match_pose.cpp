@@ -1,8 +1,10 @@
 #include "seeds/match_pose.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "seeds/chance.h"
 #include "seeds/consistency.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "seeds/procrustes.h"
 #include "util/thread_team.h"

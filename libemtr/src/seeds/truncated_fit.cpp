@@ -1,6 +1,7 @@
 #include "seeds/truncated_fit.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "seeds/procrustes.h"

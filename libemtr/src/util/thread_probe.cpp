@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 
 #include <condition_variable>
+#include <cstddef>
 #include <cstdlib>
 #include <mutex>
 #include <vector>

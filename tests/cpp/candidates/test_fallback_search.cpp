@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "candidates/fallback_search.h"
 #include "candidates/scene.h"
 

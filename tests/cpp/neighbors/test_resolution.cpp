@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "neighbors/resolution.h"
 #include "preprocessing/downsampling.h"
 #include "preprocessing/normalization.h"

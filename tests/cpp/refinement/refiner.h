@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "kernels/kernels.h"
 #include "neighbors/neighbors.h"

@@ -2,6 +2,7 @@
 
 #include <emtr/emtr.h>
 
+#include <new>
 #include <random>
 #include <vector>
 

@@ -6,6 +6,7 @@
 #include <pcl/features/normal_3d_omp.h>
 #include <pcl/search/kdtree.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 

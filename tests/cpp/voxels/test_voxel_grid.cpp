@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/clouds.h"
 #include "voxels/voxel_grid.h"
 

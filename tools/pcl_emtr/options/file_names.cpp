@@ -1,5 +1,6 @@
 #include "options/file_names.h"
 
+#include <cstddef>
 #include <filesystem>
 
 #include "failure.h"

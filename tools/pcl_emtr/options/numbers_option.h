@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include "failure.h"

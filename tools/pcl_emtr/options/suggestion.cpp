@@ -1,6 +1,7 @@
 #include "options/suggestion.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace cli {
 namespace {

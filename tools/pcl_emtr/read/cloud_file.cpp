@@ -1,6 +1,7 @@
 #include "read/cloud_file.h"
 
 #include <chrono>
+#include <exception>
 #include <new>
 
 #include "failure.h"

@@ -1,6 +1,7 @@
 #include "read/correspondence_file.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,7 @@
 #include "read/obj_reader.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <vector>

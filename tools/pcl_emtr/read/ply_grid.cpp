@@ -1,6 +1,7 @@
 #include "read/ply_grid.h"
 
 #include <array>
+#include <cstddef>
 
 #include "failure.h"
 #include "text/numbers.h"

@@ -1,5 +1,6 @@
 #include "read/ply_header.h"
 
+#include <cstddef>
 #include <map>
 
 #include "failure.h"

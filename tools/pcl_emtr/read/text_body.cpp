@@ -1,5 +1,7 @@
 #include "read/text_body.h"
 
+#include <cstddef>
+
 #include "failure.h"
 #include "text/numbers.h"
 #include "text/words.h"

@@ -1,6 +1,7 @@
 #include "text/words.h"
 
 #include <cctype>
+#include <cstddef>
 #include <sstream>
 
 namespace cli {

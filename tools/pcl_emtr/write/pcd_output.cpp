@@ -2,6 +2,7 @@
 
 #include <pcl/io/pcd_io.h>
 
+#include <cstddef>
 #include <fstream>
 #include <sstream>
 

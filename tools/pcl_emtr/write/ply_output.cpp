@@ -4,8 +4,10 @@
 #include <pcl/io/ply_io.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <set>
+#include <type_traits>
 
 #include "failure.h"
 #include "files/spool.h"

@@ -3,8 +3,11 @@
 #include <pcl/common/io.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "failure.h"
 
