@@ -24,3 +24,14 @@ target_compile_features(emtr_pcl INTERFACE cxx_std_14)
 # would bring VTK and Qt into every configure step.
 target_link_libraries(emtr_pcl PUBLIC emtr pcl_search pcl_kdtree pcl_common
                                PRIVATE $<BUILD_INTERFACE:emtr_build>)
+
+# FLANN's headers call LZ4 in a program that instantiates the class itself, and neither FLANN's nor
+# PCL's target says so.
+find_path(EMTR_FLANN_INCLUDE_DIR flann/util/serialization.h HINTS ${FLANN_INCLUDE_DIRS})
+mark_as_advanced(EMTR_FLANN_INCLUDE_DIR)
+if(EMTR_FLANN_INCLUDE_DIR)
+  file(STRINGS ${EMTR_FLANN_INCLUDE_DIR}/flann/util/serialization.h emtr_flann_text REGEX "lz4")
+  if(emtr_flann_text)
+    target_link_libraries(emtr_pcl INTERFACE lz4)
+  endif()
+endif()

@@ -1,7 +1,6 @@
 """Tests the installed package from outside: tiny programs find it by CMake and by pkg-config.
 
-Installs the build in EMTR_BUILD_DIR (default: build/ in the checkout) into a temporary prefix,
-then moves the prefix: everything here also holds after a move.
+The prefix has been moved since the installation; see conftest.py.
 """
 
 from __future__ import annotations
@@ -15,28 +14,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from installed import run
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-
-
-def run(*command: str | Path, **kwargs) -> str:
-    done = subprocess.run(
-        [str(word) for word in command], capture_output=True, text=True, check=False, **kwargs
-    )
-    assert done.returncode == 0, f"{command}\n{done.stdout}\n{done.stderr}"
-    return done.stdout
-
-
-@pytest.fixture(scope="module")
-def prefix(tmp_path_factory) -> Path:
-    """Returns the prefix of the installed package, moved after the installation."""
-    build = Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build"))
-    if "EMTR_BUILD_DIR" not in os.environ and not (build / "cmake_install.cmake").is_file():
-        pytest.skip(f"no build at {build} (set EMTR_BUILD_DIR)")
-    folder = tmp_path_factory.mktemp("install")
-    run("cmake", "--install", build, "--prefix", folder / "first")
-    return (folder / "first").rename(folder / "moved")
 
 
 @pytest.fixture(scope="module")
@@ -147,19 +128,66 @@ def test_class_under_avx2(prefix, tmp_path):
     assert found == {"compiled": 0, "align": 32}
 
 
-def test_an_unknown_component_is_refused(prefix, tmp_path):
-    (tmp_path / "CMakeLists.txt").write_text(
-        "cmake_minimum_required(VERSION 3.18)\nproject(x LANGUAGES C)\n"
-        "find_package(emtr CONFIG REQUIRED COMPONENTS pcl2)\n"
+def configure(prefix: Path, folder: Path, languages: str, *lines: str, options: tuple = ()):
+    """Configures a project of these languages and lines; returns its status and its words."""
+    text = "\n".join(
+        ["cmake_minimum_required(VERSION 3.18)", f"project(x LANGUAGES {languages})", *lines, ""]
     )
+    (folder / "CMakeLists.txt").write_text(text)
     done = subprocess.run(
-        ["cmake", "-S", tmp_path, "-B", tmp_path / "b", f"-DCMAKE_PREFIX_PATH={prefix}"],
-        capture_output=True,
+        ["cmake", "-S", folder, "-B", folder / "b", f"-DCMAKE_PREFIX_PATH={prefix}", *options],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
         text=True,
         check=False,
     )
-    assert done.returncode != 0
-    assert "pcl2" in done.stderr
+    return done.returncode, done.stdout
+
+
+TELL = (
+    "foreach(part emtr pcl)",
+    "if(TARGET emtr::${part})",
+    "message(STATUS there=${part})",
+    "endif()",
+    "endforeach()",
+    "message(STATUS found=${emtr_c_FOUND},${emtr_pcl_FOUND})",
+)
+NO_PCL = ("-DCMAKE_DISABLE_FIND_PACKAGE_PCL=ON",)
+
+
+def test_without_components_all_that_is_there_is_defined(prefix, tmp_path):
+    needs_class(prefix)
+    status, said = configure(prefix, tmp_path, "C CXX", "find_package(emtr CONFIG REQUIRED)", *TELL)
+    assert status == 0, said
+    assert "there=emtr" in said and "there=pcl" in said and "found=TRUE,TRUE" in said
+
+
+def test_without_components_and_without_pcl_the_c_library_is_defined(prefix, libdir, tmp_path):
+    needs_class(prefix)
+    if is_static(libdir):
+        pytest.skip("an archive needs PCL")
+    lines = ("find_package(emtr CONFIG REQUIRED)", *TELL)
+    status, said = configure(prefix, tmp_path, "C CXX", *lines, options=NO_PCL)
+    assert status == 0, said
+    assert "there=emtr" in said and "there=pcl" not in said and "found=TRUE,FALSE" in said
+    assert re.search(r"PCL 1\.\d+ was not found, so there is no emtr::pcl", said)
+
+
+def test_a_component_that_is_not_there_is_refused(prefix, tmp_path):
+    line = "find_package(emtr CONFIG REQUIRED COMPONENTS pcl2)"
+    status, said = configure(prefix, tmp_path, "C CXX", line)
+    assert status != 0
+    assert "c and pcl, but none named pcl2" in " ".join(said.split())
+
+
+def test_the_class_without_pcl_is_refused(prefix, tmp_path):
+    needs_class(prefix)
+    (tmp_path / "PCLConfig.cmake").write_text("set(PCL_FOUND FALSE)\n")
+    (tmp_path / "PCLConfigVersion.cmake").write_text("set(PACKAGE_VERSION_COMPATIBLE TRUE)\n")
+    line = "find_package(emtr CONFIG REQUIRED COMPONENTS pcl)"
+    status, said = configure(prefix, tmp_path, "C CXX", line, options=(f"-DPCL_DIR={tmp_path}",))
+    assert status != 0
+    assert 'package "PCL" is considered to be NOT FOUND' in " ".join(said.split())
 
 
 def test_no_flag_leaks_to_consumers(prefix, libdir):

@@ -29,11 +29,6 @@ def snippets(language: str) -> list[pytest.param]:
     return [pytest.param(text, id=name) for name, one, text in SNIPPETS if one == language]
 
 
-def programs(language: str) -> set[str]:
-    """The different snippets of all pages in one language."""
-    return {text for _, one, text in SNIPPETS if one == language}
-
-
 def run(command: list[str], folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
     done = subprocess.run(
         command,
@@ -102,48 +97,6 @@ def test_shell(snippet: str, prefix: Path, sample: Path) -> None:
     path = f"{prefix / 'bin'}{os.pathsep}{os.environ['PATH']}"
     run(["bash", "-euo", "pipefail", "-c", snippet], sample, PATH=path)
     assert np.loadtxt(sample / "T.txt").shape == (4, 4)
-
-
-def test_class_and_cmake(prefix: Path, sample: Path, tmp_path: Path) -> None:
-    (program,), (link,) = programs("cpp"), programs("cmake")
-    (tmp_path / "main.cpp").write_text(program)
-    (tmp_path / "CMakeLists.txt").write_text(
-        "cmake_minimum_required(VERSION 3.18)\nproject(readme C CXX)\n"
-        "find_package(PCL REQUIRED QUIET COMPONENTS io)\n"
-        "add_executable(my_program main.cpp)\n"
-        + link
-        + "target_link_libraries(my_program pcl_io)\n"
-    )
-    run(
-        [
-            "cmake",
-            "-S",
-            ".",
-            "-B",
-            "build",
-            f"-DCMAKE_PREFIX_PATH={prefix}",
-            "-DCMAKE_BUILD_TYPE=Release",
-        ],
-        tmp_path,
-    )
-    run(["cmake", "--build", "build"], tmp_path)
-    printed = run([str(tmp_path / "build" / "my_program")], sample).stdout
-    found = np.array(printed.split(), dtype=float).reshape(4, 4)
-    true = np.loadtxt(sample / "T_true.txt")
-    np.testing.assert_allclose(found[:3, :3], true[:3, :3], atol=0.02)
-    np.testing.assert_allclose(found[:3, 3], true[:3, 3], atol=1)  # mm, far from the origin
-
-
-def test_c(prefix: Path, tmp_path: Path) -> None:
-    (program,) = programs("c")
-    (tmp_path / "main.c").write_text(program)
-    pkgconfig = next(prefix.rglob("emtr.pc")).parent
-    flags = run(
-        ["pkg-config", "--cflags", "--libs", "emtr"], tmp_path, PKG_CONFIG_PATH=str(pkgconfig)
-    ).stdout.split()
-    run(["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "main.c", "-o", "main", *flags], tmp_path)
-    printed = run([str(tmp_path / "main")], tmp_path, LD_LIBRARY_PATH=str(pkgconfig.parent)).stdout
-    assert "0.0000" in printed
 
 
 def test_settings_table() -> None:

@@ -1,0 +1,1 @@
+"""What tools/portability does."""

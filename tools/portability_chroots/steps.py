@@ -1,0 +1,46 @@
+"""What is done in a chroot with one compiler, step by step."""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+
+from .arguments import COMPILERS
+
+HEADERS = "emtr_headers emtr_class_headers emtr_command_headers"
+# The sources are read-only: neither bytecode nor pytest's cache is written beside them.
+PYTEST = "PYTHONDONTWRITEBYTECODE=1 python3 -m pytest -q -p no:cacheprovider"
+
+
+def steps(compiler: str, arguments: argparse.Namespace) -> list[tuple[str, str]]:
+    """The name and the shell script of each step; each needs those before it."""
+    build = f"/build/{compiler}"
+    c, cxx = COMPILERS[compiler]
+    start = f"export CC={c} CXX={cxx}\n"
+    launcher = (
+        "test ! -d /ccache || export CCACHE_DIR=/ccache CMAKE_C_COMPILER_LAUNCHER=ccache \\\n"
+    )
+    start += (
+        launcher
+        + "  CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_SLOPPINESS=pch_defines,time_macros\n"
+    )
+    compile_ = f"{start}cmake --build {build} --parallel {arguments.jobs}"
+    fresh = "" if arguments.reuse else f"rm -rf {build}; "
+    tests = f"-R {shlex.quote(arguments.tests)}" if arguments.tests else ""
+    # Programs are built as the pages say, by cc and c++: here they are this compiler.
+    ours = (
+        f"mkdir -p {build}/bin; ln -sf $(command -v {c}) {build}/bin/cc; "
+        f"ln -sf $(command -v {cxx}) {build}/bin/c++; export PATH={build}/bin:$PATH; cd /tmp; "
+    )
+    return [
+        ("configure", f"{start}{fresh}cmake -S /source -B {build} -G Ninja -DEMTR_BUILD_TESTS=ON"),
+        ("libraries, command", f"{compile_} --target emtr emtr_pcl emtr_command"),
+        ("headers alone", f"{compile_} --target {HEADERS}"),
+        ("tests built", compile_),
+        ("ctest", f"ctest --test-dir {build} -j {arguments.jobs} {tests} --output-on-failure "
+         "--no-tests=error"),
+        ("install", f"cmake --install {build}; ldconfig; cd /; pcl_emtr --version"),
+        ("programs of the pages", f"{start}{ours}EMTR_PREFIX=/usr/local {PYTEST} "
+         "/source/tests/consumers/test_snippets.py"),
+        ("consumers", f"{start}{ours}EMTR_BUILD_DIR={build} {PYTEST} /source/tests/consumers"),
+    ]  # fmt: skip
