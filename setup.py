@@ -15,16 +15,22 @@ ROOT = Path(__file__).resolve().parent
 
 
 def project_version() -> str:
-    """The version of the root CMakeLists.txt, the only place where it is written."""
-    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
-    found = re.search(r"project\(emtr\s+VERSION\s+(\d+\.\d+\.\d+)", text)
-    if found is None:
-        raise SystemExit("setup.py: CMakeLists.txt has no project(emtr VERSION x.y.z ...)")
-    return found.group(1)
+    """The version of emtr.h, the only place where it is written."""
+    text = (ROOT / "libemtr/include/emtr/emtr.h").read_text(encoding="utf-8")
+    parts = re.findall(r"^#define EMTR_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", text, re.MULTILINE)
+    if len(parts) != 3:
+        raise SystemExit("setup.py: emtr.h has no EMTR_VERSION_MAJOR, _MINOR and _PATCH")
+    return ".".join(parts)
 
 
 class CMakeBuild(build_ext):
     """build_ext by CMake; more arguments for the configure step by the variable CMAKE_ARGS."""
+
+    _NOT_CONFIGURED = (
+        "cmake could not configure the build. It needs a C++17 compiler, "
+        "ninja or make, and PCL 1.12 or later with its headers (Debian: apt-get "
+        "install ninja-build g++ libpcl-dev); its own words are above"
+    )
 
     def build_extension(self, ext: Extension) -> None:
         cmake = shutil.which("cmake")
@@ -53,12 +59,11 @@ class CMakeBuild(build_ext):
         if shutil.which("ninja") and "CMAKE_GENERATOR" not in os.environ:
             configure += ["-G", "Ninja"]
         configure += shlex.split(os.environ.get("CMAKE_ARGS", ""))
-        self._run(
-            configure,
-            "cmake could not configure the build. It needs a C++17 compiler, "
-            "ninja or make, and PCL 1.12 or later with its headers (Debian: apt-get "
-            "install ninja-build g++ libpcl-dev); its own words are above",
-        )
+        try:
+            self._run(configure, self._NOT_CONFIGURED)
+        except SystemExit:
+            shutil.rmtree(build, ignore_errors=True)  # the next try is to remember nothing of it
+            raise
         jobs = str(self.parallel or os.cpu_count() or 1)
         self._run(
             [cmake, "--build", str(build), "--target", "_emtr", "--parallel", jobs],

@@ -15,7 +15,9 @@ Five calls are enough for most users:
 Every transformation maps source into target, q = R p + t, in the clouds' own unit.
 """
 
-from . import _emtr
+from .extension import _emtr  # the first: it says which library is missing
+
+# isort: split
 from ._emtr import kernel_name
 from .alternative import Alternative
 from .cloud import Cloud

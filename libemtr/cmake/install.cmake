@@ -7,6 +7,8 @@ set(emtr_pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 # The parts of PCL that a static build links with.
 set(emtr_pcl_components common kdtree search features filters)
 
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
 # ---- the C library
 install(TARGETS emtr EXPORT emtrTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -43,7 +43,10 @@ def pkg_config(libdir: Path, *words: str) -> list[str]:
 
 
 def by_cmake(project: str, prefix: Path, build: Path, *options: str) -> Path:
-    run("cmake", "-S", HERE / project, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}", *options)
+    header = (prefix / "include/emtr/emtr.h").read_text()
+    major, minor = re.findall(r"EMTR_VERSION_(?:MAJOR|MINOR) (\d+)", header)
+    wanted = (f"-DCMAKE_PREFIX_PATH={prefix}", f"-DWANTED_VERSION={major}.{minor}")
+    run("cmake", "-S", HERE / project, "-B", build, *wanted, *options)
     run("cmake", "--build", build)
     return build / "consumer"
 
@@ -188,6 +191,11 @@ def test_the_class_without_pcl_is_refused(prefix, tmp_path):
     status, said = configure(prefix, tmp_path, "C CXX", line, options=(f"-DPCL_DIR={tmp_path}",))
     assert status != 0
     assert 'package "PCL" is considered to be NOT FOUND' in " ".join(said.split())
+
+
+def test_the_license_is_installed(prefix):
+    (license_,) = prefix.glob("share/doc/*/LICENSE")
+    assert license_.read_text() == (ROOT / "LICENSE").read_text()
 
 
 def test_no_flag_leaks_to_consumers(prefix, libdir):

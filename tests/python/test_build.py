@@ -49,3 +49,11 @@ def test_without_pcl(tmp_path):
     assert done.returncode != 0
     assert "PCL" in done.stdout and "libpcl-dev" in done.stdout
     assert "Traceback" not in done.stdout
+
+
+@pytest.mark.skipif(shutil.which("cmake") is None, reason="cmake is not installed")
+def test_a_failed_configure_is_not_remembered(tmp_path):
+    """What CMake found in the failed try, it would not look for again in the next."""
+    done = build(tmp_path, CMAKE_ARGS="-DCMAKE_DISABLE_FIND_PACKAGE_PCL=ON")
+    assert "Configuring incomplete" in done.stdout
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
