@@ -40,15 +40,16 @@ def fake(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
 def test_all_steps_run_with_each_compiler(fake, capsys) -> None:
     status, scripts = fake("no such word", "--suites", "trixie", "--tests", "^c_api")
     assert status == 0
-    assert len(scripts) == 2 * len(steps("gcc", parse([])))
+    count = len(steps("gcc", parse([])))
+    assert len(scripts) == 2 * count
     assert sum("CXX=g++" in script for script in scripts) == sum(
         "CXX=clang++" in script for script in scripts
     )
     assert sum("ctest" in script and "-R '^c_api'" in script for script in scripts) == 2
     said = capsys.readouterr().out.splitlines()[-2:]
     assert said == [
-        "trixie     gcc    passed, 8 warnings of the compiler",
-        "trixie     clang  passed, 8 warnings of the compiler",
+        f"trixie     gcc    passed, {count} warnings of the compiler",
+        f"trixie     clang  passed, {count} warnings of the compiler",
     ]
 
 

@@ -14,7 +14,7 @@ from .arguments import REPOSITORY
 PACKAGES = [
     *("g++", "clang", "libomp-dev", "cmake", "ninja-build", "pkg-config", "libpcl-dev"),
     *("libcli11-dev", "nlohmann-json3-dev", "libgtest-dev", "python3-numpy", "python3-pytest"),
-    "ccache",
+    *("ccache", "file", "dpkg-dev"),
 ]
 MARK = "made-by-tools-portability"
 
@@ -65,8 +65,9 @@ class Chroot:
                 policy.write_text("#!/bin/sh\nexit 101\n")
                 policy.chmod(0o755)
             install = (
-                "export DEBIAN_FRONTEND=noninteractive; apt-get update; apt-get install -y "
-                f"--no-install-recommends {' '.join(PACKAGES)}; apt-get clean"
+                "export DEBIAN_FRONTEND=noninteractive\n"
+                "apt-get -o Acquire::Check-Valid-Until=no update\n"  # a mirror may lag behind
+                f"apt-get install -y --no-install-recommends {' '.join(PACKAGES)}; apt-get clean"
             )
             if self.run(install, out) != 0:
                 raise ChrootFailure(f"{self.suite}: packages could not be installed, see {log}")

@@ -10,20 +10,31 @@ from .arguments import COMPILERS
 HEADERS = "emtr_headers emtr_class_headers emtr_command_headers"
 # The sources are read-only: neither bytecode nor pytest's cache is written beside them.
 PYTEST = "PYTHONDONTWRITEBYTECODE=1 python3 -m pytest -q -p no:cacheprovider"
+CCACHE = (
+    "test ! -d /ccache || export CCACHE_DIR=/ccache CCACHE_SLOPPINESS=pch_defines,time_macros "
+    "CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache\n"
+)
+# Away with what was installed; then the packages are installed, used, examined and removed.
+PACKAGES = """\
+xargs rm < {build}/install_manifest.txt; ldconfig
+cmake -S /source -B {build} -DCMAKE_INSTALL_PREFIX=/usr
+cmake --build {build} --parallel {jobs} --target emtr emtr_pcl emtr_command
+cd {build}; rm -rf debs; cpack -B debs
+DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends lintian
+DEBIAN_FRONTEND=noninteractive apt-get install -y ./debs/*.deb
+cd /; pcl_emtr --version
+EMTR_PREFIX=/usr {pytest} /source/tests/consumers/test_snippets.py
+lintian --allow-root --fail-on error {build}/debs/*.deb
+apt-get remove -y "libemtr[0-9]*"
+if command -v pcl_emtr || ls /usr/lib/*/libemtr* /usr/include/emtr 2>/dev/null; then exit 1; fi
+"""
 
 
 def steps(compiler: str, arguments: argparse.Namespace) -> list[tuple[str, str]]:
     """The name and the shell script of each step; each needs those before it."""
     build = f"/build/{compiler}"
     c, cxx = COMPILERS[compiler]
-    start = f"export CC={c} CXX={cxx}\n"
-    launcher = (
-        "test ! -d /ccache || export CCACHE_DIR=/ccache CMAKE_C_COMPILER_LAUNCHER=ccache \\\n"
-    )
-    start += (
-        launcher
-        + "  CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_SLOPPINESS=pch_defines,time_macros\n"
-    )
+    start = f"export CC={c} CXX={cxx}; {CCACHE}"
     compile_ = f"{start}cmake --build {build} --parallel {arguments.jobs}"
     fresh = "" if arguments.reuse else f"rm -rf {build}; "
     tests = f"-R {shlex.quote(arguments.tests)}" if arguments.tests else ""
@@ -32,6 +43,7 @@ def steps(compiler: str, arguments: argparse.Namespace) -> list[tuple[str, str]]
         f"mkdir -p {build}/bin; ln -sf $(command -v {c}) {build}/bin/cc; "
         f"ln -sf $(command -v {cxx}) {build}/bin/c++; export PATH={build}/bin:$PATH; cd /tmp; "
     )
+    packages = PACKAGES.format(build=build, jobs=arguments.jobs, pytest=PYTEST)
     return [
         ("configure", f"{start}{fresh}cmake -S /source -B {build} -G Ninja -DEMTR_BUILD_TESTS=ON"),
         ("libraries, command", f"{compile_} --target emtr emtr_pcl emtr_command"),
@@ -42,5 +54,7 @@ def steps(compiler: str, arguments: argparse.Namespace) -> list[tuple[str, str]]
         ("install", f"cmake --install {build}; ldconfig; cd /; pcl_emtr --version"),
         ("programs of the pages", f"{start}{ours}EMTR_PREFIX=/usr/local {PYTEST} "
          "/source/tests/consumers/test_snippets.py"),
-        ("consumers", f"{start}{ours}EMTR_BUILD_DIR={build} {PYTEST} /source/tests/consumers"),
+        ("consumers", f"{start}{ours}EMTR_BUILD_DIR={build} {PYTEST} /source/tests/consumers "
+         "--ignore /source/tests/consumers/test_snippets.py"),
+        ("packages", f"{start}{ours}{packages}"),
     ]  # fmt: skip
