@@ -46,6 +46,13 @@ def test_each_file_is_in_one_package(packages) -> None:
     assert "/usr/bin/pcl_emtr" in files(packages["pcl-emtr"])
 
 
+def test_no_installed_file_is_forgotten(packages, prefix) -> None:
+    """But for the license, which each package has as its copyright."""
+    packed = {Path(name).name for package in packages.values() for name in files(package)}
+    installed = {path.name for path in prefix.rglob("*") if not path.is_dir()}
+    assert installed - packed == {"LICENSE"}
+
+
 def test_what_they_depend_on(packages) -> None:
     library = field(packages["libemtr"], "Package")
     this = f"{library} (= {field(packages['libemtr'], 'Version')})"

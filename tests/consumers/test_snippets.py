@@ -108,3 +108,20 @@ def test_own_point_type(installed, needs_pkg_config, tmp_path) -> None:
     ]
     said = [installed.run(program, folder=tmp_path) for program in programs]
     assert said[0] == said[1] and re.fullmatch(r"registered, ring 7\n", said[0])
+
+
+def test_no_program_of_the_pages_is_forgotten() -> None:
+    found = {
+        (pages.name(page), language)
+        for page in pages.PAGES
+        for language, _ in pages.snippets(page)
+        if language in {"c", "cpp", "cmake"}
+    }
+    assert found == {
+        ("README.md", "c"),
+        ("README.md", "cpp"),
+        ("README.md", "cmake"),
+        ("docs/ENTRY_POINTS.md", "cmake"),
+        ("docs/INSTALL.md", "cpp"),
+        ("docs/INSTALL.md", "cmake"),
+    }
