@@ -24,7 +24,8 @@ mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" || exit
 mkdir -p "$1/source" && mount --bind "$2" "$1/source" || exit
 mount -o remount,bind,ro "$1/source" || exit
 if [ -n "$3" ]; then mkdir -p "$1/ccache" && mount --bind "$3" "$1/ccache" || exit; fi
-exec chroot "$1" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 sh -euc "$4"
+exec chroot "$1" env -i HOME=/root LC_ALL=C.UTF-8 \
+  PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin sh -euc "$4"
 """
 
 

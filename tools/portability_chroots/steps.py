@@ -26,7 +26,7 @@ cd /; pcl_emtr --version
 EMTR_PREFIX=/usr {pytest} /source/tests/consumers/test_snippets.py
 lintian --allow-root --fail-on error {build}/debs/*.deb
 apt-get remove -y "libemtr[0-9]*"
-if command -v pcl_emtr || ls /usr/lib/*/libemtr* /usr/include/emtr 2>/dev/null; then exit 1; fi
+if ls /usr/bin/pcl_emtr /usr/lib/*/lib*emtr.* 2>/dev/null | grep .; then exit 1; fi
 """
 
 
