@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import shutil
+import signal
 import sys
 from pathlib import Path
 
@@ -81,6 +83,22 @@ def test_what_a_chroot_needs_is_named(monkeypatch, tmp_path, root, missing, name
     monkeypatch.setattr(chroot.shutil, "which", lambda name: None if name == missing else name)
     with pytest.raises(ChrootFailure, match=named):
         Chroot(tmp_path, "trixie").make("http://localhost", reuse=False)
+
+
+def test_sigterm_ends_it_by_an_exception(monkeypatch, tmp_path) -> None:
+    """So that subprocess.run() ends what runs in the chroot."""
+    before = signal.getsignal(signal.SIGTERM)
+
+    def terminated(self: Chroot, mirror: str, reuse: bool) -> None:
+        os.kill(os.getpid(), signal.SIGTERM)
+
+    monkeypatch.setattr(Chroot, "make", terminated)
+    try:
+        with pytest.raises(SystemExit) as ended:
+            program.main(["--folder", str(tmp_path), "--suites", "trixie"])
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    assert ended.value.code == 143
 
 
 @pytest.mark.parametrize("words", [["--jobs", "0"], ["--compilers", "tcc"], ["--suites"]])

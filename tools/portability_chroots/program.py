@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 import time
 from collections.abc import Sequence
@@ -63,6 +64,8 @@ def by_syntax(arguments: argparse.Namespace) -> int:
 
 def main(words: Sequence[str] | None = None) -> int:
     arguments = parse(words)
+    # An exception ends what runs in the chroot; the signal by itself would leave it running.
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))
     try:
         return by_syntax(arguments) if arguments.smoke else in_chroots(arguments)
     except (ChrootFailure, OSError) as failure:
