@@ -1,5 +1,9 @@
 #pragma once
 
+#ifdef _OPENMP
+#include <omp.h>  // PCL 1.15 calls it in its headers for registration, but does not include it
+#endif
+
 #include <emtr/emtr.h>
 #include <pcl/memory.h>
 #include <pcl/pcl_macros.h>
