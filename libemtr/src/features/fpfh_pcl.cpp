@@ -7,9 +7,31 @@
 #include <utility>
 
 #include "features/fpfh_backends.h"
+#include "features/pair_features.h"
 #include "geometry/pcl_cloud.h"
 #include "neighbors/neighborhood.h"
 #include "util/constants.h"
+
+namespace emtr {
+namespace {
+
+/// A type of our own, for which PCL's class can be told how to compare two points.
+struct Histograms : pcl::FPFHSignature33 {};
+
+}  // namespace
+}  // namespace emtr
+
+// PCL's own is the only function here that is in no header of PCL.
+template <>
+bool pcl::FPFHEstimation<pcl::PointXYZ, pcl::Normal, emtr::Histograms>::computePairFeatures(
+    const pcl::PointCloud<pcl::PointXYZ>& points, const pcl::PointCloud<pcl::Normal>& normals,
+    int p, int q, float& f1, float& f2, float& f3, float& f4) {
+  const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
+  const emtr::PairFeatures found =
+      emtr::pair_features(points[i].data, normals[i].normal, points[k].data, normals[k].normal);
+  f1 = found.f1, f2 = found.f2, f3 = found.f3, f4 = found.f4;
+  return true;  // PCL counts a pair without angles too
+}
 
 namespace emtr {
 namespace {
@@ -63,7 +85,7 @@ class Description {
  private:
   struct Scratch {
     Neighborhood neighbors;
-    pcl::FPFHEstimation<pcl::PointXYZ, pcl::Normal, pcl::FPFHSignature33> fpfh;
+    pcl::FPFHEstimation<pcl::PointXYZ, pcl::Normal, Histograms> fpfh;
     Eigen::VectorXf histogram;
   };
 
