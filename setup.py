@@ -24,7 +24,17 @@ def project_version() -> str:
 
 
 class CMakeBuild(build_ext):
-    """build_ext by CMake; more arguments for the configure step by the variable CMAKE_ARGS."""
+    """build_ext by CMake; more arguments for the configure step by the variable CMAKE_ARGS.
+
+    bdist_wheel's option py_limited_api, as cp311, makes a module of the stable ABI.
+    """
+
+    def finalize_options(self) -> None:
+        tag = self.distribution.get_command_obj("bdist_wheel").py_limited_api
+        self.stable_abi = f"{tag[2]}.{tag[3:]}" if tag else ""
+        for ext in self.distribution.ext_modules:
+            ext.py_limited_api = bool(tag)
+        super().finalize_options()
 
     _NOT_CONFIGURED = (
         "cmake could not configure the build. It needs a C++17 compiler, "
@@ -54,6 +64,7 @@ class CMakeBuild(build_ext):
             "-DEMTR_BUILD_TOOLS=OFF",
             "-DEMTR_BUILD_TESTS=OFF",
             f"-DEMTR_PYTHON_DIR={module.parent}",
+            f"-DEMTR_PYTHON_ABI={self.stable_abi}",
             f"-DPython3_EXECUTABLE={sys.executable}",
         ]
         if shutil.which("ninja") and "CMAKE_GENERATOR" not in os.environ:

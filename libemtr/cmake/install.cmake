@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 set(emtr_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/emtr)
 set(emtr_pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 # The parts of PCL that a static build links with.
-set(emtr_pcl_components common)
+set(emtr_pcl_components common kdtree) # kdtree brings FLANN
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)
 
