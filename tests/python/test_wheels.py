@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
+import subprocess
 import sys
 import zipfile
 from pathlib import Path
@@ -68,6 +70,49 @@ def test_no_interpreters(monkeypatch, tmp_path: Path, capsys) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     assert program.main([]) == 2
     assert "--python" in capsys.readouterr().err
+
+
+FAKE_CMAKE = """#!/bin/sh
+for word; do
+  case $word in
+    -DEMTR_PYTHON_ABI=*) echo "abi [${word#*=}]" ;;
+    -DEMTR_PYTHON_DIR=*) mkdir -p "${word#*=}" && : >"${word#*=}/_emtr.abi3.so" ;;
+  esac
+done
+"""
+
+
+@pytest.mark.parametrize(("option", "status", "abi"), [("cp311", 0, "3.11"), ("", 1, "")])
+def test_setup_builds_for_the_abi_of_the_wheel(
+    tmp_path: Path, option: str, status: int, abi: str
+) -> None:
+    """The fake cmake leaves a module of the stable ABI, which is right only if asked for."""
+    pytest.importorskip("setuptools", minversion="77")
+    cmake = tmp_path / "cmake"
+    cmake.write_text(FAKE_CMAKE)
+    cmake.chmod(0o755)
+    settings = tmp_path / "setup.cfg"
+    settings.write_text(f"[bdist_wheel]\npy_limited_api = {option}\n" if option else "")
+    environment = {**os.environ, "DIST_EXTRA_CONFIG": str(settings)}
+    environment["PATH"] = f"{tmp_path}:{os.environ['PATH']}"
+    words = ["build_ext", "--build-temp", tmp_path / "temp", "--build-lib", tmp_path / "lib"]
+    done = subprocess.run(
+        [sys.executable, "setup.py", *words],
+        cwd=TOOLS.parent,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, f"abi [{abi}]" in done.stdout) == (status, True), done.stderr
+
+
+@pytest.mark.skipif(shutil.which("cmake") is None, reason="cmake is not installed")
+def test_a_stable_abi_without_buffers_is_refused(tmp_path: Path) -> None:
+    words = ["-DEMTR_BUILD_PYTHON=ON", "-DEMTR_BUILD_TOOLS=OFF", "-DEMTR_BUILD_PCL=OFF"]
+    words += ["-DEMTR_PYTHON_ABI=3.10", f"-DPython3_EXECUTABLE={sys.executable}"]
+    with pytest.raises(Failure, match=r"'3\.10', expected 3\.11 or later"):
+        run("cmake", "-S", TOOLS.parent, "-B", tmp_path, *words)
 
 
 def wheel(folder: Path, *bundled: str) -> Path:
