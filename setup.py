@@ -58,6 +58,7 @@ class CMakeBuild(build_ext):
             str(ROOT),
             "-B",
             str(build),
+            "-U*Python3_*",  # what an earlier build there found of another Python
             "-DCMAKE_BUILD_TYPE=Release",
             "-DEMTR_BUILD_PYTHON=ON",
             "-DEMTR_BUILD_PCL=OFF",
