@@ -66,6 +66,7 @@ std::string_view without_mark(std::string_view line) {
 TextColumns columns_of(const std::vector<std::string>& header, std::size_t count) {
   TextColumns out;
   std::vector<std::string> names;
+  names.reserve(header.size());
   for (const auto& column : header) names.push_back(field_name(column));
   std::array<std::size_t, 3> place{};
   bool found = names.size() == count;
