@@ -3,7 +3,7 @@
 
 # own [find's test...]: the project's files, one a line.
 own() {
-  find .ci libemtr pyemtr tests tools -type f -not -path '*/__pycache__/*' "$@" | sort
+  find .ci examples libemtr pyemtr tests tools -type f -not -path '*/__pycache__/*' "$@" | sort
 }
 
 layout_of_c() {
