@@ -10,7 +10,7 @@ from pages import ROOT
 
 SRC = ROOT / "libemtr" / "src"
 NAMED = [ROOT / "CONTRIBUTING.md", *(ROOT / "docs" / f"{page}.md" for page in
-         ("ARCHITECTURE", "METHOD", "RESULT", "TESTING"))]  # fmt: skip
+         ("ARCHITECTURE", "HOW_IT_WORKS", "METHOD", "RESULT", "TESTING"))]  # fmt: skip
 
 # Made by a build or by a run, and not of the sources.
 MADE = ("build/",)

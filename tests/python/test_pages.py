@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
+import shutil
 import sys
 from pathlib import Path
 
 import numpy as np
 import pages
 import pytest
-from pages import PAGES, ROOT
+from pages import PAGES, ROOT, run
 
 README = ROOT / "README.md"
-BUILD = Path(os.environ.get("EMTR_BUILD_DIR", ROOT / "build"))
 
 SNIPPETS = [
     (f"{pages.name(page)}-{number}", language, text)
@@ -22,50 +21,22 @@ SNIPPETS = [
     for number, (language, text) in enumerate(pages.snippets(page), 1)
 ]
 RUNNABLE = {"bash", "python", "cpp", "cmake", "c"}
+OTHERS = {"py", "c++"}  # code of other libraries; test_porting.py runs it, and all of its page
+PORTING = "docs/PORTING.md"
 
 
 def snippets(language: str) -> list[pytest.param]:
     """The snippets of all pages in one language, each with its page's name and its number there."""
-    return [pytest.param(text, id=name) for name, one, text in SNIPPETS if one == language]
-
-
-def run(command: list[str], folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
-    done = subprocess.run(
-        command,
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        timeout=600,
-        env={**os.environ, **environment},
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done
-
-
-@pytest.fixture(scope="session")
-def built() -> Path:
-    if not (BUILD / "CMakeCache.txt").exists():
-        pytest.skip(f"no build in {BUILD}: run tools/check, or set EMTR_BUILD_DIR")
-    return BUILD
-
-
-@pytest.fixture(scope="session")
-def prefix(built: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("prefix")
-    run(["cmake", "--install", str(built), "--prefix", str(folder)], ROOT)
-    return folder
-
-
-@pytest.fixture(scope="session")
-def sample(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("sample")
-    run([sys.executable, str(ROOT / "tools" / "sample_pair.py"), "--out", str(folder)], ROOT)
-    return folder
+    return [
+        pytest.param(text, id=name)
+        for name, one, text in SNIPPETS
+        if one == language and not name.startswith(PORTING)
+    ]
 
 
 def test_every_language_is_accounted_for() -> None:
-    assert {language for _, language, _ in SNIPPETS} == RUNNABLE | {"text"}
+    assert {language for _, language, _ in SNIPPETS} == RUNNABLE | OTHERS | {"text"}
+    assert all(name.startswith(PORTING) for name, language, _ in SNIPPETS if language in OTHERS)
 
 
 def test_the_readme_begins_with_each_entry_point() -> None:
@@ -88,8 +59,9 @@ def test_links_lead_somewhere(page: Path) -> None:
 
 
 @pytest.mark.parametrize("snippet", snippets("python"))
-def test_python(snippet: str, tmp_path: Path) -> None:
-    run([sys.executable, "-c", snippet], tmp_path)
+def test_python(snippet: str, sample: Path, tmp_path: Path) -> None:
+    folder = shutil.copytree(sample, tmp_path / "sample")
+    run([sys.executable, "-c", snippet], folder)
 
 
 @pytest.mark.parametrize("snippet", snippets("bash"))
