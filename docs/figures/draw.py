@@ -21,7 +21,7 @@ from sample import make_sample
 from virtual_scan.files import write_whole
 
 HERE = Path(__file__).resolve().parent
-COLORS = 48  # of a picture with pixels
+COLORS = 160  # of a picture with pixels
 FIGURES = {
     "matches.png": matches.draw,
     "swarms.svg": swarms.draw,
@@ -40,7 +40,8 @@ def write(figure: Figure, path: Path) -> None:
         write_whole(path, b"\n".join(lines) + b"\n")
     else:
         figure.savefig(content, format="png", dpi=130)
-        small = Image.open(content).convert("RGB").quantize(COLORS, dither=Image.Dither.NONE)
+        drawn = Image.open(content).convert("RGB")
+        small = drawn.quantize(COLORS, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
         small.save(whole := io.BytesIO(), format="png", optimize=True)
         write_whole(path, whole.getvalue())
     print(f"{path}: {path.stat().st_size // 1000} KB")
