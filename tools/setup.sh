@@ -1,4 +1,4 @@
-# Sourced by tools/quickstart, tools/check and tools/fuzz: packages, build, virtual environment.
+# Sourced by tools/quickstart, tools/check, tools/docs and tools/fuzz: packages, build, virtual environment.
 # shellcheck shell=bash disable=SC2034 # variables for those who source it
 
 ROOT=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)

@@ -64,6 +64,17 @@ def test_python(snippet: str, sample: Path, tmp_path: Path) -> None:
     run([sys.executable, "-c", snippet], folder)
 
 
+def test_the_tour_prints_what_it_says(sample: Path, tmp_path: Path) -> None:
+    snippets = pages.snippets(ROOT / "docs" / "TOUR.md")
+    (number,) = (n for n, (language, _) in enumerate(snippets) if language == "python")
+    folder = shutil.copytree(sample, tmp_path / "sample")
+    printed = run([sys.executable, "-c", snippets[number][1]], folder).stdout
+    assert printed == snippets[number + 1][1]
+    assert (folder / "picture.png").stat().st_size > 50_000
+    source = np.loadtxt(folder / "source.xyz")
+    np.testing.assert_array_equal(source, np.load(sample / "source.npy"))
+
+
 @pytest.mark.parametrize("snippet", snippets("bash"))
 def test_shell(snippet: str, prefix: Path, sample: Path) -> None:
     path = f"{prefix / 'bin'}{os.pathsep}{os.environ['PATH']}"
