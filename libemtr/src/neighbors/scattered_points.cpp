@@ -65,17 +65,25 @@ std::vector<Neighborhood> neighborhoods(const Cloud& cloud) {
   return out;
 }
 
+struct Selection {
+  std::vector<std::size_t> rows;
+  std::size_t flat = 0;  ///< how many of them lie on a plane with their neighbors
+};
+
 /// Returns those of the rows whose points are not scattered among the points of these rows.
-std::vector<std::size_t> select_surface(const Cloud& cloud, const std::vector<std::size_t>& rows) {
-  if (rows.size() <= kNearest) return rows;
+Selection select_surface(const Cloud& cloud, const std::vector<std::size_t>& rows) {
+  if (rows.size() <= kNearest) return {rows, rows.size()};
   const std::vector<Neighborhood> around = neighborhoods(cloud.select(rows));
   std::vector<double> distances;
   for (const Neighborhood& n : around) distances.push_back(n.distance);
   const double far = kFarther * median(distances);
-  if (far == 0) return rows;  // most points are there many times
-  std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (around[i].distance <= far || around[i].variation <= kVariation) out.push_back(rows[i]);
+  if (far == 0) return {rows, rows.size()};  // most points are there many times
+  Selection out;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool flat = around[i].variation <= kVariation;
+    if (around[i].distance <= far || flat) out.rows.push_back(rows[i]);
+    out.flat += flat;
+  }
   return out;
 }
 
@@ -84,12 +92,12 @@ std::vector<std::size_t> select_surface(const Cloud& cloud, const std::vector<st
 std::vector<std::size_t> rows_on_surface(const Cloud& cloud) {
   std::vector<std::size_t> all(cloud.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  std::vector<std::size_t> left = select_surface(cloud, all);
-  const auto scattered = static_cast<double>(all.size() - left.size());
+  Selection left = select_surface(cloud, all);
+  const auto scattered = static_cast<double>(all.size() - left.rows.size());
   if (scattered < kShare * static_cast<double>(all.size())) return all;
   // Outliers that lay near each other are farther from their neighbors now.
-  for (int round = 1; round < kRounds; ++round) left = select_surface(cloud, left);
-  return left;
+  for (int round = 1; round < kRounds; ++round) left = select_surface(cloud, left.rows);
+  return 2 * left.flat < left.rows.size() ? all : left.rows;
 }
 
 }  // namespace emtr

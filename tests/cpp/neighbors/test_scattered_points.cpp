@@ -61,6 +61,8 @@ TEST(ScatteredPoints, AllAreKeptOfPointsThatAreNoSurfaceAtAll) {
   for (int i = 0; i < 500; ++i)
     append(space, {draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)});
   EXPECT_EQ(emtr::rows_on_surface(space).size(), space.size());
+  for (int i = 0; i < 200; ++i) append(space, 0.1 * draw.uniform(0, 1) * draw.direction());
+  EXPECT_EQ(emtr::rows_on_surface(space).size(), space.size());  // with a cluster
 }
 
 TEST(ScatteredPoints, FewPointsAndDuplicatesAreKept) {
