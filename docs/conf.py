@@ -13,11 +13,12 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 def project_version() -> str:
-    """The version of the root CMakeLists.txt, the only place where it is written."""
-    found = re.search(r"project\(emtr\s+VERSION\s+([\d.]+)", (ROOT / "CMakeLists.txt").read_text())
-    if found is None:
-        raise RuntimeError("CMakeLists.txt: expected project(emtr VERSION x.y.z ...)")
-    return found[1]
+    """The version of emtr.h, the only place where it is written."""
+    header = (ROOT / "libemtr/include/emtr/emtr.h").read_text()
+    parts = re.findall(r"^#define EMTR_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", header, re.MULTILINE)
+    if len(parts) != 3:
+        raise RuntimeError("emtr.h has no EMTR_VERSION_MAJOR, _MINOR and _PATCH")
+    return ".".join(parts)
 
 
 project = "emtr"

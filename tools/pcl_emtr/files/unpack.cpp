@@ -5,8 +5,10 @@
 #include <zlib.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <vector>
 
 #include "failure.h"

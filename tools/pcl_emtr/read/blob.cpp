@@ -1,5 +1,8 @@
 #include "read/blob.h"
 
+#include <cstddef>
+#include <cstdint>
+
 #include "failure.h"
 
 namespace cli {

@@ -2,6 +2,7 @@
 
 #include <pcl/PCLPointCloud2.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 #include "failure.h"

@@ -3,6 +3,7 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 
+#include <exception>
 #include <new>
 
 #include "failure.h"
