@@ -35,14 +35,12 @@ std::vector<Eigen::Vector3d> SurfaceSampling::points(std::size_t count) const {
   for (std::size_t i = 0; i < count; ++i) {
     const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(count) * area_;
     while (triangle != last && triangle->end < at) ++triangle;
-    double u = fraction(0.5 + kFirst * static_cast<double>(i + 1));
-    double v = fraction(0.5 + kSecond * static_cast<double>(i + 1));
-    if (u + v > 1) {  // the other half of the parallelogram, mirrored into the triangle
-      u = 1 - u;
-      v = 1 - v;
-    }
+    // A triangle is wider towards its far side.
+    const double along = std::sqrt(fraction(kFirst * static_cast<double>(i + 1)));
+    const double across = fraction(kSecond * static_cast<double>(i + 1));
     const Eigen::Vector3d& a = vertices_[triangle->a];
-    out.emplace_back(a + u * (vertices_[triangle->b] - a) + v * (vertices_[triangle->c] - a));
+    const Eigen::Vector3d first = vertices_[triangle->b] - a, second = vertices_[triangle->c] - a;
+    out.emplace_back(a + along * ((1 - across) * first + across * second));
   }
   return out;
 }
