@@ -75,6 +75,7 @@ Selection select_surface(const Cloud& cloud, const std::vector<std::size_t>& row
   if (rows.size() <= kNearest) return {rows, rows.size()};
   const std::vector<Neighborhood> around = neighborhoods(cloud.select(rows));
   std::vector<double> distances;
+  distances.reserve(around.size());
   for (const Neighborhood& n : around) distances.push_back(n.distance);
   const double far = kFarther * median(distances);
   if (far == 0) return {rows, rows.size()};  // most points are there many times
