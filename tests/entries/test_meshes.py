@@ -8,8 +8,9 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
-import pyemtr
 import pytest
+
+import pyemtr
 
 CLI = Path(os.environ.get("EMTR_CLI", Path(__file__).parents[2] / "build/tools/pcl_emtr"))
 
