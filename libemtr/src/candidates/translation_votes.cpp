@@ -7,47 +7,51 @@
 namespace emtr {
 namespace {
 
-constexpr double kSameHeight = 0.03;           // radii
-constexpr int kAlike = 6;                      // steps between the directions that two points face
-constexpr double kReach = 1.6;                 // radii
-constexpr double kCell = 0.045;                // radii
-constexpr int kCells = 72, kRow = kCells + 2;  // a border of empty cells
+constexpr double kSameHeight = 0.03;  // radii
+constexpr int kAlike = 6;             // steps between the directions that two points face
+constexpr double kReach = 1.6;        // radii
+constexpr double kCell = 0.045;       // radii
+constexpr std::size_t kCells = 72, kRow = kCells + 2;  // a border of empty cells
 constexpr int kPeaks = 3;
-constexpr int kApart = 2;  // cells between peaks
+constexpr std::size_t kApart = 2;  // cells between peaks
 
-int cell_of(double translation) {
-  return static_cast<int>(std::floor((translation + kReach) / kCell));
+/// Returns the number of the translation's cell along one axis; kCells when it is too far.
+std::size_t cell_of(double translation) {
+  const double cell = std::floor((translation + kReach) / kCell);
+  return cell >= 0 && cell < static_cast<double>(kCells) ? static_cast<std::size_t>(cell) : kCells;
 }
 
-/// Sums each cell with its eight neighbors.
+/// Sums each cell that has all eight neighbors with them.
 std::vector<int> box_sum(const std::vector<int>& votes) {
   std::vector<int> rows(votes.size()), out(votes.size());
   for (std::size_t i = 1; i + 1 < votes.size(); ++i)
     rows[i] = votes[i - 1] + votes[i] + votes[i + 1];
-  for (std::size_t i = kRow; i + kRow < votes.size(); ++i)
+  for (std::size_t i = kRow + 1; i + kRow + 1 < votes.size(); ++i)
     out[i] = rows[i - kRow] + rows[i] + rows[i + kRow];
   return out;
 }
 
 /// Returns the mean translation of the votes in a cell and its neighbors.
-TranslationPeak centroid(const std::vector<int>& votes, int at, int yaw) {
+TranslationPeak centroid(const std::vector<int>& votes, std::size_t at, int yaw) {
   TranslationPeak out{0, yaw, 0, 0};
-  for (int v = -1; v <= 1; ++v)
-    for (int u = -1; u <= 1; ++u) {
-      const int here = votes[static_cast<std::size_t>(at + v * kRow + u)];
+  for (std::size_t v = 0; v < 3; ++v)
+    for (std::size_t u = 0; u < 3; ++u) {
+      const int here = votes[at - kRow - 1 + v * kRow + u];
       out.votes += here;
-      out.x += here * u;
-      out.y += here * v;
+      out.x += here * (static_cast<double>(u) - 1);
+      out.y += here * (static_cast<double>(v) - 1);
     }
-  out.x = (at % kRow + out.x / out.votes - 0.5) * kCell - kReach;
-  out.y = (at / kRow + out.y / out.votes - 0.5) * kCell - kReach;
+  const std::size_t column = at % kRow, row = at / kRow;
+  out.x = (static_cast<double>(column) + out.x / out.votes - 0.5) * kCell - kReach;
+  out.y = (static_cast<double>(row) + out.y / out.votes - 0.5) * kCell - kReach;
   return out;
 }
 
-void clear_around(std::vector<int>& votes, int x, int y) {
-  for (int v = std::max(y - kApart, 0); v <= std::min(y + kApart, kRow - 1); ++v)
-    for (int u = std::max(x - kApart, 0); u <= std::min(x + kApart, kRow - 1); ++u)
-      votes[static_cast<std::size_t>(v * kRow + u)] = 0;
+void clear_around(std::vector<int>& votes, std::size_t at) {
+  const std::size_t x = at % kRow, y = at / kRow;
+  for (std::size_t v = y - std::min(y, kApart); v <= std::min(y + kApart, kRow - 1); ++v)
+    for (std::size_t u = x - std::min(x, kApart); u <= std::min(x + kApart, kRow - 1); ++u)
+      votes[v * kRow + u] = 0;
 }
 
 }  // namespace
@@ -77,22 +81,21 @@ std::vector<TranslationPeak> vote_for_translations(const std::vector<UprightPoin
     x[i] = c * source[i].x - s * source[i].y;
     y[i] = s * source[i].x + c * source[i].y;
   }
-  std::vector<int> votes(static_cast<std::size_t>(kRow) * kRow);
+  std::vector<int> votes(kRow * kRow);
   for (int step = yaw - kAlike; step <= yaw + kAlike; ++step)
     for (const YawPairs::Pair& pair : pairs.of(step)) {
-      const int u = cell_of(target[pair.target].x - x[pair.source]);
-      const int v = cell_of(target[pair.target].y - y[pair.source]);
-      if (u >= 0 && u < kCells && v >= 0 && v < kCells)
-        ++votes[static_cast<std::size_t>((v + 1) * kRow + u + 1)];
+      const std::size_t u = cell_of(target[pair.target].x - x[pair.source]);
+      const std::size_t v = cell_of(target[pair.target].y - y[pair.source]);
+      if (u < kCells && v < kCells) ++votes[(v + 1) * kRow + u + 1];
     }
   std::vector<int> sums = box_sum(votes);
   std::vector<TranslationPeak> peaks;
   for (int k = 0; k < kPeaks; ++k) {
     const auto most = std::max_element(sums.begin(), sums.end());
     if (*most == 0) break;
-    const int at = static_cast<int>(most - sums.begin());
+    const auto at = static_cast<std::size_t>(most - sums.begin());
     peaks.push_back(centroid(votes, at, yaw));
-    clear_around(sums, at % kRow, at / kRow);
+    clear_around(sums, at);
   }
   return peaks;
 }

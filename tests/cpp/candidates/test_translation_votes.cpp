@@ -66,6 +66,19 @@ TEST(TranslationVotes, EachPairIsOfOneHeightAndHasOneRotation) {
   EXPECT_EQ(count, expected);
 }
 
+TEST(TranslationVotes, ReachTheCornersOfTheirCells) {
+  const std::vector<UprightPoint> source = {{0, 0, 0.1, 1}};
+  for (const double x : {-1.59, 1.63})
+    for (const double y : {-1.59, 1.63}) {
+      const std::vector<UprightPoint> target = {{x, y, 0.1, 1}};
+      const auto peaks = emtr::vote_for_translations(source, target, YawPairs(source, target), 0);
+      ASSERT_EQ(peaks.size(), 1u);
+      EXPECT_EQ(peaks[0].votes, 1);
+      EXPECT_NEAR(peaks[0].x, x, 0.03);
+      EXPECT_NEAR(peaks[0].y, y, 0.03);
+    }
+}
+
 TEST(TranslationVotes, ThereAreNoneWithoutPoints) {
   const auto some = random_points(2, 80);
   const std::vector<UprightPoint> none;
