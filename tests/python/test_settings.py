@@ -41,7 +41,7 @@ def test_the_defaults_are_the_default_preset():
     }
     assert used() == {**{name: setting.default for name, setting in ALL.items()}, **own}
     problem = pyemtr.Problem(CLOUD, CLOUD)
-    assert problem.settings == {**used(), "mesh_points": 50_000}
+    assert problem.settings == {**used(), "mesh_points": 100_000}
 
 
 def test_the_paper_preset_is_the_method_as_published():
