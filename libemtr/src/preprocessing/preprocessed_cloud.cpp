@@ -79,6 +79,7 @@ void PreprocessedCloud::leave_out_scattered() {
     std::iota(finite_.begin(), finite_.end(), std::int64_t{0});
   }
   std::vector<std::int64_t> rows;
+  rows.reserve(kept.size());
   for (const std::size_t row : kept) rows.push_back(finite_[row]);
   std::set_difference(finite_.begin(), finite_.end(), rows.begin(), rows.end(),
                       std::back_inserter(strays_));
