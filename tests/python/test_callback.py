@@ -12,21 +12,10 @@ import weakref
 import numpy as np
 import pytest
 from children import environment
+from stages import STAGES
 
 import pyemtr
 
-STAGES = [
-    "normalization",
-    "downsampling",
-    "features",
-    "matching",
-    "seeds",
-    "evolution",
-    "candidates",
-    "fallback_search",
-    "refinement",
-    "verdict",
-]
 ALL = {
     "iterations": 8,
     "threads": 2,

@@ -3,23 +3,11 @@
 from __future__ import annotations
 
 import pytest
+from stages import STAGES
 
 import pyemtr
 from pyemtr.options import make_settings, settings_used
 from pyemtr.progress import as_raw_callback
-
-STAGES = [
-    "normalization",
-    "downsampling",
-    "features",
-    "matching",
-    "seeds",
-    "evolution",
-    "candidates",
-    "fallback_search",
-    "refinement",
-    "verdict",
-]
 
 
 def fractions(steps, **changes) -> list[float]:

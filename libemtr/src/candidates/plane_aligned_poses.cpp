@@ -70,17 +70,18 @@ Surface make_even(const Cloud& cloud) {
 std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, ThreadTeam& team) {
   const Surface source = make_even(surfaces.source().points);
   const Surface target = make_even(surfaces.target().points);
-  const std::vector<DominantPlane> source_planes = dominant_planes(source, kPlanes);
+  std::vector<Upright> sources;
+  for (const DominantPlane& plane : dominant_planes(source, kPlanes))
+    for (const double side : {1., -1.})  // which one is up, few points can decide
+      sources.push_back(
+          upright_points(source, {side * plane.normal, side * plane.offset, plane.share}));
   std::vector<SupportedPose> all;
-  for (const DominantPlane& target_plane : dominant_planes(target, kPlanes)) {
-    const Upright fixed = upright_points(target, target_plane);
-    for (const DominantPlane& source_plane : source_planes)
-      for (const double side : {1., -1.}) {  // which one is up, few points can decide
-        const Upright moving = upright_points(
-            source, {side * source_plane.normal, side * source_plane.offset, source_plane.share});
-        const std::vector<SupportedPose> poses = align(moving, fixed, team);
-        all.insert(all.end(), poses.begin(), poses.end());
-      }
+  for (const DominantPlane& plane : dominant_planes(target, kPlanes)) {
+    const Upright fixed = upright_points(target, plane);
+    for (const Upright& moving : sources) {
+      const std::vector<SupportedPose> poses = align(moving, fixed, team);
+      all.insert(all.end(), poses.begin(), poses.end());
+    }
   }
   std::vector<Rigid> out;
   for (const SupportedPose& supported : best(std::move(all), kMostPlaneAligned))
