@@ -44,6 +44,17 @@ def facade(rng, door=False):
     return np.vstack([wall, windows, cornice, porch])
 
 
+def prism(rng, sides):
+    """A tray with a floor and equal sides."""
+    angle = 2 * np.pi * np.arange(sides) / sides
+    corners = np.column_stack([np.cos(angle), np.sin(angle)])
+    side, along = rng.integers(0, sides, COUNT), rng.random((COUNT, 1))
+    rim = (1 - along) * corners[side] + along * corners[(side + 1) % sides]
+    floor = rng.random(COUNT) < 0.4
+    rim[floor] *= np.sqrt(rng.random((floor.sum(), 1)))
+    return np.column_stack([rim, np.where(floor, 0, rng.uniform(0, 0.8, COUNT))])
+
+
 def cup(rng):
     angle, height = rng.uniform(0, 2 * np.pi, COUNT), rng.uniform(0, 2, COUNT)
     radius = 1 + 0.2 * height
@@ -79,6 +90,18 @@ def test_a_box_is_twofold():
     result, _ = register(source, target, 3)
     assert result.reason == "ambiguous" and result.symmetry == "rotational"
     assert result.symmetry_order == 2 and np.abs(result.symmetry_axis).max() > 0.99
+
+
+@pytest.mark.parametrize("sides, seed", [(3, 0), (3, 2), (5, 0)])
+def test_views_of_a_tray_from_two_sides_do_not_tell_its_sides_apart(sides, seed):
+    """A wrong rotation overlaps more than the right one, and fits as well."""
+    rng = np.random.default_rng(seed)
+    views = []
+    for cloud in two(prism, seed, sides=sides):
+        height = cloud @ shapes.directions(rng, 1)[0]
+        views.append(cloud[height < np.quantile(height, 0.8)])
+    result, _ = register(*views, seed)
+    assert result.reason == "ambiguous" and result.confidence < 0.5
 
 
 @pytest.mark.parametrize("seed", range(2))

@@ -1,3 +1,5 @@
+#include "pipeline/registration.h"
+
 #include <emtr/emtr.h>
 
 #include <memory>
@@ -6,9 +8,7 @@
 #include "c_api/guarded.h"
 #include "c_api/handles.h"
 #include "pipeline/input_cloud.h"
-#include "pipeline/problem.h"
 #include "pipeline/result.h"
-#include "pipeline/solve.h"
 #include "settings/validation.h"
 #include "util/cancellation.h"
 #include "util/thread_team.h"
@@ -38,8 +38,7 @@ emtr_result* run(InputCloud& source, InputCloud& target, const emtr_settings* se
   emtr_result* result = nullptr;
   emtr::ThreadTeam::with(chosen.threads, [&](emtr::ThreadTeam&) {
     const emtr::CancellationScope between_stages(outer);  // a stopped run has its result to write
-    const auto problem = emtr::make_problem(source, target, chosen, token, emtr::Stages::Needed);
-    result = emtr::solve(*problem, token).release();
+    result = emtr::register_clouds(source, target, chosen, token).release();
   });
   return result;
 }

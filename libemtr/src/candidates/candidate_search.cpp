@@ -59,13 +59,11 @@ void CandidateSearch::run_fallback_search() {
 }
 
 void CandidateSearch::add_rivals(CandidateSet& candidates) const {
-  const std::vector<Rigid> rivals =
-      admissible(rotated_rivals(surfaces_, candidates.ranked().front().pose), prior_);
+  const auto best = [&] { return candidates.ranked().front().pose; };
   ThreadTeam::with(threads_, [&](ThreadTeam& team) {
-    candidates.add(rivals, team);
-    candidates.add(
-        admissible(translated_rivals(surfaces_, candidates.ranked().front().pose, team), prior_),
-        team);
+    candidates.add(admissible(quarter_rotated_rivals(surfaces_, best()), prior_), team);
+    candidates.add(admissible(rotated_rivals(surfaces_, best(), team), prior_), team);
+    candidates.add(admissible(translated_rivals(surfaces_, best(), team), prior_), team);
   });
 }
 

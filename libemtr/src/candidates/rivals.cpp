@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <cstdlib>
+#include <numeric>
 
 #include "candidates/scene_axes.h"
 #include "geometry/pose_distance.h"
 #include "geometry/rotation_vector.h"
+#include "util/constants.h"
 
 namespace emtr {
 namespace {
@@ -14,66 +16,108 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Returns the rotation by `quarters` times 90 degrees about an axis through a point.
-Rigid quarter_rotations(const Vector3d& axis, int quarters, const Vector3d& through) {
-  constexpr double cosine[] = {1, 0, -1, 0}, sine[] = {0, 1, 0, -1};
+/// Returns the rotation about an axis through a point.
+Rigid rotation_about(const Vector3d& axis, double cosine, double sine, const Vector3d& through) {
   Rigid out;
-  out.R = cosine[quarters] * Matrix3d::Identity() + sine[quarters] * cross_matrix(axis) +
-          (1 - cosine[quarters]) * axis * axis.transpose();
+  out.R = cosine * Matrix3d::Identity() + sine * cross_matrix(axis) +
+          (1 - cosine) * axis * axis.transpose();
   out.t = through - out.rotate(through);
   return out;
 }
 
-constexpr double kStep = 1.5;       // leaves, as far as a fit reaches
-constexpr double kPromising = 0.4;  // of the best's own score by so few
+/// Returns the score of each pose by a few points.
+std::vector<double> quick_scores(const SurfacePair& surfaces, const std::vector<Rigid>& poses,
+                                 ThreadTeam& team) {
+  std::vector<Ranking::Scratch> scratch(team.size());
+  std::vector<double> out(poses.size());
+  team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
+    out[i] = surfaces.ranking().evaluate(poses[i], scratch[thread], SurfacePair::kQuickStep).score;
+  });
+  return out;
+}
+
+struct Scored {
+  double score;
+  Rigid pose;
+};
+
+/// Returns the kMostPeaks best, the best first.
+std::vector<Rigid> best_of(std::vector<Scored> found) {
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Scored& a, const Scored& b) { return a.score > b.score; });
+  std::vector<Rigid> out;
+  for (std::size_t i = 0; i < std::min(found.size(), kMostPeaks); ++i) out.push_back(found[i].pose);
+  return out;
+}
+
+/// Returns the angles of all symmetries of three to twelve folds but for quarters, in radians.
+std::vector<double> angles_of_folds() {
+  constexpr int kMostFolds = 12;
+  std::vector<double> out;
+  for (int folds = 3; folds <= kMostFolds; ++folds)
+    for (int k = 1; k < folds; ++k) {
+      const bool quarter = 4 * k % folds == 0;
+      if (!quarter && std::gcd(k, folds) == 1) out.push_back(2 * kPi * k / folds);
+    }
+  return out;
+}
 
 }  // namespace
 
-std::vector<Rigid> rotated_rivals(const SurfacePair& surfaces, const Rigid& best) {
+std::vector<Rigid> quarter_rotated_rivals(const SurfacePair& surfaces, const Rigid& best) {
+  constexpr double cosine[] = {1, 0, -1, 0}, sine[] = {0, 1, 0, -1};
   const SceneAxes scene = scene_axes(surfaces, best);
   std::vector<Rigid> out;
   for (const Vector3d& axis : scene.axes)
     for (int quarters = 1; quarters < 4; ++quarters)
       for (const Vector3d& through : {scene.mean, scene.middle})
-        out.push_back(quarter_rotations(axis, quarters, through) * best);
+        out.push_back(rotation_about(axis, cosine[quarters], sine[quarters], through) * best);
   return suppress_non_maxima(out, kDuplicatePose, out.size());
+}
+
+std::vector<Rigid> rotated_rivals(const SurfacePair& surfaces, const Rigid& best,
+                                  ThreadTeam& team) {
+  constexpr double kPromising = 0.3;  // scans from two sides overlap less in a wrong rotation
+  const SceneAxes scene = scene_axes(surfaces, best);
+  std::vector<Rigid> poses{best};
+  for (const Vector3d& axis : scene.axes)
+    for (const double angle : angles_of_folds())
+      poses.push_back(rotation_about(axis, std::cos(angle), std::sin(angle), scene.mean) * best);
+  const std::vector<double> scores = quick_scores(surfaces, poses, team);
+  std::vector<Scored> found;
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    if (scores[i] > kPromising * std::max(scores[0], 0.0)) found.push_back({scores[i], poses[i]});
+  return best_of(found);
 }
 
 std::vector<Rigid> translated_rivals(const SurfacePair& surfaces, const Rigid& best,
                                      ThreadTeam& team) {
-  const std::vector<Vector3d> axes = scene_axes(surfaces, best).axes;
+  constexpr double kStep = 1.5;       // leaves, as far as a fit reaches
+  constexpr double kPromising = 0.4;  // of the best's own score by so few
   const double step = kStep * std::max(surfaces.source().leaf, surfaces.target().leaf);
   const auto steps = static_cast<int>(kFarthestTranslation / step);
   const auto nearest = static_cast<int>(kDistinctPose.translation / step);
-  const std::size_t count = 2 * static_cast<std::size_t>(steps) + 1;
-  const auto moved = [&](const Vector3d& axis, int k) {
-    Rigid out = best;
-    out.t += k * step * axis;
-    return out;
-  };
-  std::vector<Ranking::Scratch> scratch(team.size());
-  std::vector<double> scores(axes.size() * count);
-  team.parallel(scores.size(), [&](std::size_t i, std::size_t thread) {
-    const Rigid pose = moved(axes[i / count], static_cast<int>(i % count) - steps);
-    scores[i] = surfaces.ranking().evaluate(pose, scratch[thread], SurfacePair::kQuickStep).score;
-  });
-  std::vector<std::pair<double, Rigid>> found;
+  std::vector<Rigid> poses;
+  const std::vector<Vector3d> axes = scene_axes(surfaces, best).axes;
+  for (const Vector3d& axis : axes)
+    for (int k = -steps; k <= steps; ++k) {
+      poses.push_back(best);
+      poses.back().t += k * step * axis;
+    }
+  const std::vector<double> scores = quick_scores(surfaces, poses, team);
+  std::vector<Scored> found;
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-    const double* score = &scores[axis * count];
-    const double enough = kPromising * std::max(score[steps], 0.0);
+    const std::size_t middle =
+        axis * (2 * static_cast<std::size_t>(steps) + 1) + static_cast<std::size_t>(steps);
+    const double* score = &scores[middle];
+    const Rigid* pose = &poses[middle];
+    const double enough = kPromising * std::max(score[0], 0.0);
     for (int k = 1 - steps; k < steps; ++k) {
-      const double here = score[k + steps];
-      const bool peak = here >= score[k + steps - 1] && here > score[k + steps + 1];
-      if (peak && std::abs(k) > nearest && here > enough)
-        found.emplace_back(here, moved(axes[axis], k));
+      const bool peak = score[k] >= score[k - 1] && score[k] > score[k + 1];
+      if (peak && std::abs(k) > nearest && score[k] > enough) found.push_back({score[k], pose[k]});
     }
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<Rigid> out;
-  for (std::size_t i = 0; i < std::min(found.size(), kMostTranslated); ++i)
-    out.push_back(found[i].second);
-  return out;
+  return best_of(found);
 }
 
 }  // namespace emtr

@@ -14,9 +14,13 @@ void preprocess(InputCloud& input, const char* name, const Settings& user) {
 
 }  // namespace
 
-NormalizedPair normalize(InputCloud& source, InputCloud& target, const Settings& user) {
+void preprocess(InputCloud& source, InputCloud& target, const Settings& user) {
   preprocess(source, "source", user);
   preprocess(target, "target", user);
+}
+
+NormalizedPair normalize(InputCloud& source, InputCloud& target, const Settings& user) {
+  preprocess(source, target, user);
   return normalize(source.preprocessed, target.preprocessed);
 }
 

@@ -13,6 +13,9 @@ struct InputCloud {
   PreprocessedCloudPtr preprocessed;  ///< null: receives what is made of `cloud`
 };
 
+/// Reads and preprocesses both clouds, the source first, unless that was done before.
+void preprocess(InputCloud& source, InputCloud& target, const Settings& user);
+
 /// Reads and normalizes both clouds, the source first. A cloud that is preprocessed stays available
 /// when the run is stopped or fails after it. `user`: the settings with the user's correspondences.
 NormalizedPair normalize(InputCloud& source, InputCloud& target, const Settings& user);

@@ -55,8 +55,9 @@ void run_stages(InputCloud& source, InputCloud& target, const Settings& user, St
 
 std::unique_ptr<const Problem> make_problem(InputCloud& source, InputCloud& target,
                                             const Settings& settings, CancellationToken& token,
-                                            Stages stages) {
+                                            Stages stages, const StageSeconds& seconds) {
   auto problem = std::make_unique<Problem>();
+  problem->seconds = seconds;
   problem->settings = without_user_memory(settings);
   validate(problem->settings);
   const CancellationScope scope(&token);

@@ -72,9 +72,11 @@ struct Problem {
 enum class Stages { All, Needed };
 
 /// Makes a problem of two clouds. Keeps nothing of the user's memory. Throws Error on bad clouds or
-/// settings. The token may stop it; then the problem is `stopped`, and solve() says so.
+/// settings. The token may stop it; then the problem is `stopped`, and solve() says so. `seconds`:
+/// what the run has taken before.
 std::unique_ptr<const Problem> make_problem(InputCloud& source, InputCloud& target,
                                             const Settings& settings, CancellationToken& token,
-                                            Stages stages = Stages::All);
+                                            Stages stages = Stages::All,
+                                            const StageSeconds& seconds = {});
 
 }  // namespace emtr

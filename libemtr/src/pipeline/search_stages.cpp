@@ -61,7 +61,8 @@ bool is_apart(const SurfacePair& surfaces, const Candidate& a, const Candidate& 
 const FineSurfaces& fine(const Problem& problem, Solution& found) {
   if (!found.fine)
     found.fine = std::make_unique<FineSurfaces>(
-        fine_surfaces(problem.pair, problem.settings.refine_leaf, problem.kernels));
+        fine_surfaces(problem.pair, problem.settings.refine_leaf, problem.downsampled.leaf_dense,
+                      problem.kernels));
   return *found.fine;
 }
 
@@ -202,8 +203,9 @@ void measure_overlap(const Problem& problem, Solution& found) {
 }
 
 void weigh_changed_source(const Problem& problem, Solution& found) {
-  if (!found.confidence || found.confidence->probability < problem.settings.minimum_confidence)
-    return;
+  if (!found.confidence ||
+      found.confidence->probability < lower_for_rival(problem.settings.minimum_confidence))
+    return;  // in doubt for more than a rival
   const Candidate& best = found.candidates->ranked().front();
   weigh_changed_source(best, mirrored_score(*problem.surfaces, best.pose, problem.kernels),
                        best_scale(*problem.surfaces, best.pose, problem.kernels),

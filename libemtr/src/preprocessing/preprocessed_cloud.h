@@ -35,6 +35,10 @@ class PreprocessedCloud {
   Cloud normals;        ///< of the base points, see BasePoints; empty when the user provided none
   Keypoints keypoints;  ///< points with the user's descriptors
 
+  /// Returns all finite points but strays where they are kept, in the frame of the base points;
+  /// else the base points.
+  const Cloud& finest() const { return all_points_.size() ? all_points_ : base; }
+
   /// Writes the position of a row of the user's array, (p - center) / radius; returns false when
   /// the row was dropped or is a stray. Throws Error when the cloud was downsampled and did not ask
   /// to keep its points.

@@ -21,7 +21,8 @@ double points_per_cube(const Cloud& cloud, const Surface& surface) {
 
 }  // namespace
 
-FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, const Kernels& kernels) {
+FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, double coarsest,
+                           const Kernels& kernels) {
   Surface source, target;
   for (int attempt = 0;; ++attempt) {
     const auto downsample = [&](const Cloud& cloud, const PreprocessedCloudPtr& from) {
@@ -33,8 +34,8 @@ FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, const Kernel
     target = downsample(pair.target, pair.preprocessed_target);
     const double filling =
         std::min(points_per_cube(pair.source, source), points_per_cube(pair.target, target));
-    if (filling >= kMinimumPoints || attempt == kMaximumAttempts) break;
-    leaf *= std::sqrt(1.1 * kMinimumPoints / filling);
+    if (filling >= kMinimumPoints || attempt == kMaximumAttempts || leaf == coarsest) break;
+    leaf = std::min(leaf * std::sqrt(1.1 * kMinimumPoints / filling), coarsest);
   }
   const LocalRefinementSettings settings;
   const auto reach = static_cast<float>(std::max(settings.first_scale, settings.reach) * leaf);

@@ -19,7 +19,9 @@ struct FineSurfaces {
 };
 
 /// Downsamples both at the leaf asked for (normalized frame), or as finely as the sparser cloud
-/// allows.
-FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, const Kernels& kernels);
+/// allows; but at `coarsest` where even that is finer: the leaf of the surfaces on which the pose
+/// was found, since coarser ones would lose it again.
+FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, double coarsest,
+                           const Kernels& kernels);
 
 }  // namespace emtr

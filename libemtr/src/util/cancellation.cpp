@@ -18,7 +18,7 @@ CancellationToken::CancellationToken(OnProgress on_progress, double seconds,
     : on_progress_(std::move(on_progress)), time_limit_(seconds), interval_(interval) {}
 
 bool CancellationToken::report_progress(const emtr_progress& progress) {
-  progress_ = progress;
+  progress_ = held_stage_ ? emtr_progress{held_stage_, 0, 0, 0, 0} : progress;
   return cancelled() || ask_caller(Clock::now());
 }
 

@@ -33,6 +33,10 @@ class CancellationToken {
   /// Reports where the run is, at once. Returns whether the run is cancelled.
   bool report_progress(const emtr_progress& progress);
 
+  /// Reports this stage in place of all that are reported from now on, until null is given: a whole
+  /// registration can be one stage of another.
+  void hold_stage(const char* name) { held_stage_ = name; }
+
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
   /// Tells whether the time limit, and not the caller, cancelled the run.
   bool timed_out() const { return timed_out_; }
@@ -49,6 +53,7 @@ class CancellationToken {
   const Clock::time_point start_ = Clock::now();
   Clock::time_point last_asked_ = start_;
   emtr_progress progress_ = {stage_name(Stage::Normalization), 0, 0, 0, 0};
+  const char* held_stage_ = nullptr;
   std::atomic<bool> cancelled_{false};
   bool timed_out_ = false;
 };

@@ -15,6 +15,10 @@ constexpr std::size_t kFewMatches = 10;
 constexpr double kMeaningfulScore = 0.03, kRivalShare = 0.75;
 // Scans from one place lie on each other by their pattern of points alone.
 constexpr double kRivalShareFromOnePlace = 0.3;
+// A clean rival fits where it overlaps as well as the best does, and sees as little in front of the
+// sensors: the best only overlaps more, as scans of a symmetric object do in a wrong pose. Of right
+// poses of real scans next to none has one.
+constexpr double kCleanRivalShare = 0.45, kCleanPrecision = 0.92, kCleanViolation = 0.006;
 constexpr double kRivalFactor = 0.25, kFewPointsFactor = 0.4, kChangedFactor = 0.1;
 // How much better a changed source must fit: a scene that is its own mirror image fits as well.
 constexpr double kBetterShare = 1.15, kBetterBy = 0.02;
@@ -50,10 +54,22 @@ bool is_another_answer(double score, double best, double share) {
   return score > std::max(kMeaningfulScore, share * best);
 }
 
+/// Returns the share of what lies near the other surface that lies on it.
+double precision(const Candidate& candidate) {
+  return candidate.fit.score / std::max(candidate.fit.near, kMinimum);
+}
+
+bool is_clean_rival(const Candidate& other, const Candidate& best) {
+  return is_another_answer(other.score, best.score, kCleanRivalShare) &&
+         precision(other) >= kCleanPrecision * precision(best) &&
+         other.violation <= best.violation + kCleanViolation;
+}
+
 bool has_rival(const Candidate& best, const std::vector<Candidate>& alternatives) {
-  if (alternatives.empty()) return false;
   const double share = best.shares_pattern ? kRivalShareFromOnePlace : kRivalShare;
-  return is_another_answer(alternatives.front().score, best.score, share);
+  return std::any_of(alternatives.begin(), alternatives.end(), [&](const Candidate& other) {
+    return is_another_answer(other.score, best.score, share) || is_clean_rival(other, best);
+  });
 }
 
 }  // namespace
@@ -89,6 +105,8 @@ Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t
   out.probability = rounded(probability);
   return out;
 }
+
+double lower_for_rival(double probability) { return rounded(kRivalFactor * probability); }
 
 void weigh_changed_source(const Candidate& best, double mirrored, const Rescaled& rescaled,
                           Confidence& confidence) {

@@ -32,6 +32,9 @@ bool is_rival_score(double score, double best);
 Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t source,
                                std::size_t target);
 
+/// Returns the probability when another answer is as good that was found elsewhere.
+double lower_for_rival(double probability);
+
 /// Lowers the probability when the source fits better mirrored or at another scale: then no rigid
 /// motion is right. `mirrored`: its best score.
 void weigh_changed_source(const Candidate& best, double mirrored, const Rescaled& rescaled,

@@ -29,12 +29,22 @@ struct Refinement {
   emtr::Rigid off(const Eigen::Vector3d& degrees, const Eigen::Vector3d& translation) const {
     return emtr_test::compose(emtr_test::motion(degrees, translation), truth);
   }
+  emtr::FineSurfaces fine(const emtr::Kernels& kernels, double coarsest = 0.1) const {
+    return emtr::fine_surfaces(normalized, settings.refine_leaf, coarsest, kernels);
+  }
   Refined from(const emtr::Rigid& start,
                const emtr::Kernels& kernels = emtr::select_kernels()) const {
-    return emtr::refine(emtr::fine_surfaces(normalized, settings.refine_leaf, kernels), start,
-                        settings, kernels, nullptr);
+    return emtr::refine(fine(kernels), start, settings, kernels, nullptr);
   }
 };
+
+TEST(FineSurfaces, AreAsFineAsThePointsAllowAndNoCoarserThanThoseOfTheCandidates) {
+  const emtr::Kernels& kernels = emtr::select_kernels();
+  const double sparse = Refinement(40, 1500).fine(kernels).leaf();
+  EXPECT_GT(sparse, 0.05);  // three points a cube
+  EXPECT_EQ(Refinement(40, 1500).fine(kernels, 0.04).leaf(), 0.04);
+  EXPECT_LT(Refinement(40, 60000).fine(kernels).leaf(), sparse / 3);
+}
 
 TEST(Refine, MendsADegreeAndAHundredth) {
   for (const std::uint64_t seed : {41u, 42u, 43u}) {

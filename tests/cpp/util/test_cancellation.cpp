@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "support/bumpy_pair.h"
 #include "support/clouds.h"
@@ -63,6 +64,19 @@ const emtr::Result& undisturbed(const Pair& pair) {
 const Pair& shared_pair() {
   static const Pair pair(80, 3000);
   return pair;
+}
+
+TEST(CancellationToken, AHeldStageStandsForAllThatAreReported) {
+  std::vector<std::string> stages;
+  CancellationToken token([&](const emtr_progress& p) {
+    stages.emplace_back(p.stage);
+    return false;
+  });
+  token.hold_stage("fallback_search");
+  token.report_progress({"features", 1, 2, 3, 4});
+  token.hold_stage(nullptr);
+  token.report_progress({"features", 0, 0, 0, 0});
+  EXPECT_EQ(stages, (std::vector<std::string>{"fallback_search", "features"}));
 }
 
 // ---- how often ------------------------------------------------------------------------

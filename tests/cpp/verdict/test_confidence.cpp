@@ -17,11 +17,12 @@ Confidence estimate_confidence(const std::vector<Candidate>& ranked) {
   return emtr::estimate_confidence(ranked, kPoints, kPoints);
 }
 
-/// A candidate that half of the points support.
+/// A candidate that half of the points support, the worse its score the less precisely.
 Candidate candidate(const emtr::Rigid& pose, double score) {
   Candidate c;
   c.pose = pose;
-  c.score = score;
+  c.score = c.fit.score = score;
+  c.fit.near = 1;
   c.fit.inliers_source = c.fit.inliers_target = 0.5;
   return c;
 }
@@ -61,6 +62,24 @@ TEST(Confidence, WithoutAlternativesTheGapIsTheScore) {
 TEST(Confidence, AlternativesBelowNothingLeaveTheGapAtTheScore) {
   // A score below zero is as good as none: it must not make the best look better.
   EXPECT_EQ(estimate_confidence({at(0, 0.3), at(90, -0.8)}).score_gap, 0.3);
+}
+
+/// An answer with 0.6 of the best's score, which fits to this share of what lies near.
+Confidence beside(double precision, double violation) {
+  Candidate best = at(0, 0.5), other = at(120, 0.3);
+  best.fit.near = 0.9;
+  best.fit.score = 0.8 * best.fit.near;
+  other.fit.near = 0.5;
+  other.fit.score = precision * other.fit.near;
+  other.violation = violation;
+  return estimate_confidence({best, other});
+}
+
+TEST(Confidence, AnAnswerThatOverlapsLessButFitsAsWellIsARival) {
+  const double without = beside(0.6, 0).probability;
+  EXPECT_GT(without, 0.9);
+  EXPECT_LT(beside(0.8, 0).probability, 0.25);
+  EXPECT_EQ(beside(0.8, 0.05).probability, without);  // the sensors saw through it
 }
 
 TEST(Confidence, AlternativesAreDistinctBestFirstAndTenAtMost) {

@@ -45,7 +45,7 @@ emtr::NormalizedPair pair_of(const Cloud& source, const Cloud& target) {
 double surface_mismatch(const Cloud& source, const Cloud& target, const emtr::Rigid& pose = {}) {
   const emtr::Kernels& kernels = emtr::select_kernels();
   const emtr::NormalizedPair pair = pair_of(source, target);
-  const emtr::FineSurfaces fine = emtr::fine_surfaces(pair, kLeaf, kernels);
+  const emtr::FineSurfaces fine = emtr::fine_surfaces(pair, kLeaf, 1, kernels);
   return emtr::surface_mismatch(emtr::evaluate_overlap(pair, fine, pose, kernels), pair, fine,
                                 kernels);
 }
@@ -53,7 +53,7 @@ double surface_mismatch(const Cloud& source, const Cloud& target, const emtr::Ri
 Overlap evaluate_overlap(const Cloud& source, const Cloud& target, const emtr::Rigid& pose = {},
                          const emtr::Kernels& kernels = emtr::select_kernels()) {
   const emtr::NormalizedPair pair = pair_of(source, target);
-  return emtr::evaluate_overlap(pair, emtr::fine_surfaces(pair, kLeaf, kernels), pose, kernels);
+  return emtr::evaluate_overlap(pair, emtr::fine_surfaces(pair, kLeaf, 1, kernels), pose, kernels);
 }
 
 TEST(Overlap, OverlapIsTheShareThatLiesOnTheOther) {

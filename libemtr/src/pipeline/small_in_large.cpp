@@ -1,0 +1,163 @@
+#include "pipeline/small_in_large.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "geometry/pose_distance.h"
+#include "pipeline/problem.h"
+#include "pipeline/scene_parts.h"
+#include "pipeline/solve.h"
+#include "settings/choices.h"
+#include "util/stage.h"
+#include "util/stopwatch.h"
+#include "verdict/confidence.h"
+
+namespace emtr {
+namespace {
+
+constexpr double kMuchSmaller = 4;  // times, by the radius
+
+/// Registers the small cloud with one part at a time.
+class PartRegistration {
+ public:
+  PartRegistration(const InputCloud& small, bool small_is_source, CancellationToken& token)
+      : small_(small), small_is_source_(small_is_source), token_(token) {}
+
+  std::unique_ptr<Result> operator()(const ScenePart& part, const Settings& settings) const {
+    const emtr_cloud cloud{part.points.data(), part.points.size() / 3, 0, EMTR_FLOAT64};
+    InputCloud small{nullptr, small_.preprocessed}, large{&cloud, nullptr};
+    const auto problem =
+        make_problem(small_is_source_ ? small : large, small_is_source_ ? large : small, settings,
+                     token_, Stages::Needed);
+    std::vector<Rigid> poses;
+    if (!problem->stopped)
+      for (const Rigid& pose : part.poses)
+        poses.push_back(
+            problem->pair.normalization.to_normalized(small_is_source_ ? pose : pose.inverse()));
+    return solve(*problem, token_, &poses);
+  }
+
+ private:
+  const InputCloud& small_;
+  const bool small_is_source_;
+  CancellationToken& token_;
+};
+
+/// Reports a whole registration as one stage of another.
+class OneStage {
+ public:
+  explicit OneStage(CancellationToken& token) : token_(token) {
+    token.hold_stage(stage_name(Stage::FallbackSearch));
+  }
+  ~OneStage() { token_.hold_stage(nullptr); }
+  OneStage(const OneStage&) = delete;
+  OneStage& operator=(const OneStage&) = delete;
+
+ private:
+  CancellationToken& token_;
+};
+
+bool stopped(const Result& result) {
+  return result.reason == EMTR_REASON_INTERRUPTED || result.reason == EMTR_REASON_TIME_LIMIT;
+}
+
+/// Tells whether two results move the small cloud to the same place: two parts can share it.
+bool is_same(const Result& a, const Result& b, const PreprocessedCloud& small,
+             bool small_is_source) {
+  const auto moved = [&](const Result& result) {
+    Rigid pose = from_matrix(result.transformation);
+    if (!small_is_source) pose = pose.inverse();
+    pose.t = (pose * Eigen::Vector3d::Map(small.center)) / small.radius;
+    return pose;
+  };
+  return is_same_pose(moved(a), moved(b), kDistinctPose);
+}
+
+/// Adds an equally good pose in another part to the alternatives: the object may be there twice.
+void add_rival(const Result& rival, Result& best) {
+  emtr_alternative& out = best.others.emplace_back();
+  std::copy_n(rival.transformation, 16, out.transformation);
+  out.score = std::min(rival.score, best.score);
+  out.surface_fit = rival.surface_fit;
+  out.violation = rival.violation;
+  out.evidence = rival.evidence;
+  std::stable_sort(best.others.begin(), best.others.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  best.alternatives = best.others.data();
+  best.alternative_count = best.others.size();
+  best.score_gap = best.score - best.others.front().score;
+}
+
+/// Speaks of the whole large cloud instead of its part.
+void speak_of_whole(const PreprocessedCloud& large, bool small_is_source, double seconds,
+                    Result& out) {
+  const std::size_t points = small_is_source ? out.points_target : out.points_source;
+  const double share = static_cast<double>(points) / static_cast<double>(large.count);
+  (small_is_source ? out.points_target : out.points_source) = large.count;
+  (small_is_source ? out.dropped_target : out.dropped_source) = large.dropped;
+  (small_is_source ? out.strays_target : out.strays_source) = large.strays;
+  (small_is_source ? out.overlap_target : out.overlap_source) *= share;
+  out.used_fallback_search = 1;
+  out.seconds_fallback_search += seconds - out.seconds_total;
+  out.seconds_total = seconds;
+}
+
+}  // namespace
+
+bool is_small_in_large(const PreprocessedCloud& source, const PreprocessedCloud& target,
+                       const Settings& settings) {
+  const bool user_provided = settings.correspondences || source.keypoints || target.keypoints;
+  const double ratio = source.radius / target.radius;
+  return std::max(ratio, 1 / ratio) >= kMuchSmaller && !(settings.fallback_search == When::Off) &&
+         settings.candidates > 0 && settings.seeds > 0 && !user_provided;
+}
+
+std::unique_ptr<Result> register_small_in_large(const InputCloud& source, const InputCloud& target,
+                                                const Settings& settings,
+                                                CancellationToken& token) {
+  const bool small_is_source = source.preprocessed->radius < target.preprocessed->radius;
+  const InputCloud &small = small_is_source ? source : target,
+                   &large = small_is_source ? target : source;
+  Stopwatch stopwatch;
+  const OneStage one_stage(token);
+  const std::vector<ScenePart> parts = find_scene_parts(small, large, settings);
+  const PartRegistration registered(small, small_is_source, token);
+
+  Settings quick = settings;
+  quick.fallback_search = EMTR_OFF;
+  std::vector<std::unique_ptr<Result>> others;
+  std::unique_ptr<Result> best;
+  const ScenePart* best_part = nullptr;
+  for (const ScenePart& part : parts) {
+    auto result = registered(part, quick);
+    if (!(result->score == result->score)) continue;  // stopped before it had one
+    if (!best || result->score > best->score) {
+      std::swap(best, result);
+      best_part = &part;
+    }
+    if (result) others.push_back(std::move(result));
+  }
+  if (!best) return nullptr;
+  if (!stopped(*best) && best->confidence < settings.fallback_confidence) {
+    auto again = registered(*best_part, settings);
+    if (again->confidence > best->confidence) best = std::move(again);
+  }
+  bool rivaled = false;
+  for (const auto& other : others) {
+    if (!is_rival_score(other->score, best->score)) continue;
+    if (is_same(*other, *best, *small.preprocessed, small_is_source)) continue;
+    add_rival(*other, *best);
+    rivaled = true;
+  }
+  if (rivaled && best->reason != EMTR_REASON_AMBIGUOUS) {
+    best->confidence = lower_for_rival(best->confidence);
+    best->registered = best->confidence >= settings.minimum_confidence;
+    if (!best->registered) best->reason = EMTR_REASON_AMBIGUOUS;
+  }
+  speak_of_whole(*large.preprocessed, small_is_source, stopwatch.lap(), *best);
+  return best;
+}
+
+}  // namespace emtr
