@@ -7,6 +7,7 @@
 #include "pipeline/small_in_large.h"
 #include "pipeline/solve.h"
 #include "util/error.h"
+#include "util/stopwatch.h"
 
 namespace emtr {
 namespace {
@@ -19,6 +20,19 @@ struct Run {
   StageSeconds seconds;
 };
 
+/// Preprocesses both clouds and compares them; calls them alike when it is cancelled.
+Sizes sizes_of(Run& run) {
+  const CancellationScope scope(&run.token);
+  try {
+    Progress progress(run.token, 0, run.seconds);
+    progress.enter(Stage::Normalization);
+    preprocess(run.source, run.target, run.settings);
+    return compare_sizes(*run.source.preprocessed, *run.target.preprocessed, run.settings);
+  } catch (const Cancelled&) {
+    return Sizes::Alike;
+  }
+}
+
 std::unique_ptr<Result> register_whole(Run& run) {
   const auto problem =
       make_problem(run.source, run.target, run.settings, run.token, Stages::Needed, run.seconds);
@@ -30,16 +44,39 @@ std::unique_ptr<Result> register_whole(Run& run) {
 std::unique_ptr<Result> register_parts(Run& run) {
   const CancellationScope scope(&run.token);
   try {
-    Progress progress(run.token, 0, run.seconds);
-    progress.enter(Stage::Normalization);
-    preprocess(run.source, run.target, run.settings);
-    if (!is_small_in_large(*run.source.preprocessed, *run.target.preprocessed, run.settings))
-      return nullptr;
-    progress.enter(Stage::FallbackSearch);
     return register_small_in_large(run.source, run.target, run.settings, run.token);
   } catch (const Cancelled&) {
     return nullptr;
   }
+}
+
+/// Registers both clouds as they are; null when the smaller one vanishes at the leaf that serves
+/// both, which is no error where the parts have a leaf of their own.
+std::unique_ptr<Result> register_whole_if_possible(Run& run) {
+  try {
+    return register_whole(run);
+  } catch (const Error& error) {
+    if (error.status() != EMTR_ERROR_CLOUD) throw;
+    return nullptr;
+  }
+}
+
+bool is_surer(const std::unique_ptr<Result>& a, const std::unique_ptr<Result>& b) {
+  return a && (!b || a->confidence > b->confidence);
+}
+
+/// Registers in both ways, unless the first one convinces, and returns the surer result.
+std::unique_ptr<Result> register_both_ways(Run& run, Sizes sizes) {
+  const auto convinces = [&](const std::unique_ptr<Result>& result) {
+    return result && (result->registered || run.token.cancelled());
+  };
+  std::unique_ptr<Result> parts, whole;
+  if (sizes == Sizes::VeryDifferent) parts = register_parts(run);
+  if (convinces(parts)) return parts;
+  whole = parts ? register_whole_if_possible(run) : register_whole(run);
+  if (convinces(whole)) return whole;
+  if (sizes == Sizes::Different) parts = register_parts(run);
+  return is_surer(parts, whole) ? std::move(parts) : std::move(whole);
 }
 
 }  // namespace
@@ -47,19 +84,15 @@ std::unique_ptr<Result> register_parts(Run& run) {
 std::unique_ptr<Result> register_clouds(InputCloud& source, InputCloud& target,
                                         const Settings& settings, CancellationToken& token) {
   Run run{source, target, settings, token, {}};
-  auto of_parts = register_parts(run);
-  if (!of_parts) return register_whole(run);
-  of_parts->seconds_normalization += run.seconds[Stage::Normalization];
-  of_parts->seconds_total += run.seconds[Stage::Normalization];
-  if (of_parts->registered || token.cancelled()) return of_parts;
-  try {
-    auto of_whole = register_whole(run);
-    return of_whole->confidence > of_parts->confidence ? std::move(of_whole) : std::move(of_parts);
-  } catch (const Error& error) {
-    // The smaller cloud vanishes at the leaf that serves both; the parts have a leaf of their own.
-    if (error.status() != EMTR_ERROR_CLOUD) throw;
-    return of_parts;
-  }
+  Stopwatch stopwatch;
+  const Sizes sizes = sizes_of(run);
+  if (sizes == Sizes::Alike) return register_whole(run);
+  auto result = register_both_ways(run, sizes);
+  // What is not in the stages of the result was search.
+  const double seconds = stopwatch.lap();
+  result->seconds_fallback_search += seconds - result->seconds_total;
+  result->seconds_total = seconds;
+  return result;
 }
 
 }  // namespace emtr

@@ -11,13 +11,12 @@
 #include "pipeline/solve.h"
 #include "settings/choices.h"
 #include "util/stage.h"
-#include "util/stopwatch.h"
 #include "verdict/confidence.h"
 
 namespace emtr {
 namespace {
 
-constexpr double kMuchSmaller = 4;  // times, by the radius
+constexpr double kDifferent = 1.5, kVeryDifferent = 4;  // times, by the radius
 
 /// Registers the small cloud with one part at a time.
 class PartRegistration {
@@ -91,8 +90,7 @@ void add_rival(const Result& rival, Result& best) {
 }
 
 /// Speaks of the whole large cloud instead of its part.
-void speak_of_whole(const PreprocessedCloud& large, bool small_is_source, double seconds,
-                    Result& out) {
+void speak_of_whole(const PreprocessedCloud& large, bool small_is_source, Result& out) {
   const std::size_t points = small_is_source ? out.points_target : out.points_source;
   const double share = static_cast<double>(points) / static_cast<double>(large.count);
   (small_is_source ? out.points_target : out.points_source) = large.count;
@@ -100,18 +98,20 @@ void speak_of_whole(const PreprocessedCloud& large, bool small_is_source, double
   (small_is_source ? out.strays_target : out.strays_source) = large.strays;
   (small_is_source ? out.overlap_target : out.overlap_source) *= share;
   out.used_fallback_search = 1;
-  out.seconds_fallback_search += seconds - out.seconds_total;
-  out.seconds_total = seconds;
 }
 
 }  // namespace
 
-bool is_small_in_large(const PreprocessedCloud& source, const PreprocessedCloud& target,
-                       const Settings& settings) {
+Sizes compare_sizes(const PreprocessedCloud& source, const PreprocessedCloud& target,
+                    const Settings& settings) {
   const bool user_provided = settings.correspondences || source.keypoints || target.keypoints;
-  const double ratio = source.radius / target.radius;
-  return std::max(ratio, 1 / ratio) >= kMuchSmaller && !(settings.fallback_search == When::Off) &&
-         settings.candidates > 0 && settings.seeds > 0 && !user_provided;
+  if (user_provided || settings.fallback_search == When::Off || settings.candidates == 0 ||
+      settings.seeds == 0)
+    return Sizes::Alike;
+  const double ratio =
+      std::max(source.radius, target.radius) / std::min(source.radius, target.radius);
+  if (ratio < kDifferent) return Sizes::Alike;
+  return ratio < kVeryDifferent ? Sizes::Different : Sizes::VeryDifferent;
 }
 
 std::unique_ptr<Result> register_small_in_large(const InputCloud& source, const InputCloud& target,
@@ -120,7 +120,6 @@ std::unique_ptr<Result> register_small_in_large(const InputCloud& source, const 
   const bool small_is_source = source.preprocessed->radius < target.preprocessed->radius;
   const InputCloud &small = small_is_source ? source : target,
                    &large = small_is_source ? target : source;
-  Stopwatch stopwatch;
   const OneStage one_stage(token);
   const std::vector<ScenePart> parts = find_scene_parts(small, large, settings);
   const PartRegistration registered(small, small_is_source, token);
@@ -156,7 +155,7 @@ std::unique_ptr<Result> register_small_in_large(const InputCloud& source, const 
     best->registered = best->confidence >= settings.minimum_confidence;
     if (!best->registered) best->reason = EMTR_REASON_AMBIGUOUS;
   }
-  speak_of_whole(*large.preprocessed, small_is_source, stopwatch.lap(), *best);
+  speak_of_whole(*large.preprocessed, small_is_source, *best);
   return best;
 }
 

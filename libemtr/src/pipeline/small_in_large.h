@@ -9,10 +9,14 @@
 
 namespace emtr {
 
-/// Tells whether one cloud is so much smaller than the other that no leaf serves both, and the
-/// settings let it be looked for: an object in a scene.
-bool is_small_in_large(const PreprocessedCloud& source, const PreprocessedCloud& target,
-                       const Settings& settings);
+/// How the sizes of two clouds compare. If they are different, one leaf serves both badly, and the
+/// smaller cloud may lie in a part of the larger; if they are very different, as an object's and a
+/// scene's are, it serves them hardly ever.
+enum class Sizes { Alike, Different, VeryDifferent };
+
+/// Compares the radii. Sizes are alike too where the settings do not let the parts be searched.
+Sizes compare_sizes(const PreprocessedCloud& source, const PreprocessedCloud& target,
+                    const Settings& settings);
 
 /// Registers the smaller cloud with the parts of the larger where it may lie: a part is as large as
 /// the smaller cloud, and has its own leaf, search and verdict. Returns the result of the best
