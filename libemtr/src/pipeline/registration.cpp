@@ -68,7 +68,9 @@ bool is_surer(const std::unique_ptr<Result>& a, const std::unique_ptr<Result>& b
 /// Registers in both ways, unless the first one convinces, and returns the surer result.
 std::unique_ptr<Result> register_both_ways(Run& run, Sizes sizes) {
   const auto convinces = [&](const std::unique_ptr<Result>& result) {
-    return result && (result->registered || run.token.cancelled());
+    const bool sure =
+        result && result->registered && result->confidence >= run.settings.fallback_confidence;
+    return sure || (result && run.token.cancelled());
   };
   std::unique_ptr<Result> parts, whole;
   if (sizes == Sizes::VeryDifferent) parts = register_parts(run);

@@ -182,6 +182,9 @@ void believe_but_for_unconstrained(const Problem& problem, Solution& found) {
   }
   found.moves_freely = true;
   believe(problem, others, found);
+  // Moved on along the plane that they share, the clouds may fit far better than any candidate.
+  if (is_hardly_explained(best))
+    found.confidence->probability = lower_for_rival(found.confidence->probability);
 }
 
 void recognize_symmetry(Solution& found) {

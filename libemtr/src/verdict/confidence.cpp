@@ -24,6 +24,8 @@ constexpr double kRivalFactor = 0.25, kFewPointsFactor = 0.4, kChangedFactor = 0
 constexpr double kBetterShare = 1.15, kBetterBy = 0.02;
 // 95 of 100 right poses have more of the weight than this share of the points.
 constexpr double kDistinctiveShare = 0.4;
+// Planes that lie on each other while the rest of the clouds does not: 0.07 to 0.14.
+constexpr double kLeastExplained = 0.2;
 constexpr double kFewPoints = 60;  // that lie on the other cloud; fewer fit on any plane
 
 // A logistic model of "within 5 degrees and 0.06 radii", by tools/bench/fit_confidence: fitted to
@@ -81,6 +83,10 @@ bool is_rival_score(double score, double best) {
 bool is_mostly_plane(const Candidate& candidate) {
   const double inliers = (candidate.fit.inliers_source + candidate.fit.inliers_target) / 2;
   return candidate.fit.score < kDistinctiveShare * inliers;
+}
+
+bool is_hardly_explained(const Candidate& candidate) {
+  return candidate.fit.near < kLeastExplained;
 }
 
 double evidence(const Candidate& candidate, std::size_t source, std::size_t target) {

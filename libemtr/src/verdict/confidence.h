@@ -20,6 +20,9 @@ struct Confidence {
 /// a better pose may not have been found. It is so of few right poses.
 bool is_mostly_plane(const Candidate& candidate);
 
+/// Tells whether nearly all that is distinctive of the clouds lies nowhere near the other one.
+bool is_hardly_explained(const Candidate& candidate);
+
 /// Returns how many points of the poorer cloud lie on the other. `source`, `target`: numbers of
 /// points of the surfaces.
 double evidence(const Candidate& candidate, std::size_t source, std::size_t target);
