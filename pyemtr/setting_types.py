@@ -54,12 +54,16 @@ class MethodSettings(TypedDict, total=False):
     neighbors: Literal["grid", "kdtree", "brute"]
     candidates: int
     free_space: Switch
+    distinctiveness: Switch
+    rivals: Switch
     fallback_search: When
     fallback_confidence: float
     fallback_points: int
     fallback_correspondences: int
     fallback_seeds: int
     fallback_candidates: int
+    plane_aligned_poses: int
+    parts: int
     refine: Switch
     refine_leaf: float
     maximum_fitness: float

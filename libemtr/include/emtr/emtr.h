@@ -224,8 +224,11 @@ typedef struct emtr_settings {
 
   /* candidates: seeds and the best poses of the swarm, refined locally and ranked on the
    * surfaces */
-  int32_t candidates; /* 0: the swarm's best pose is the answer */
-  int32_t free_space; /* 0: points in front of what the other scan saw cost nothing */
+  int32_t candidates;      /* 0: the swarm's best pose is the answer */
+  int32_t free_space;      /* 0: points in front of what the other scan saw cost nothing */
+  int32_t distinctiveness; /* 0: all points count alike in the score (ablation) */
+  int32_t
+      rivals; /* 0: the poses that a symmetric scene would fit as well are not added (ablation) */
 
   /* fallback search: more feature points, both signs of the normals, more candidates */
   int32_t fallback_search; /* an emtr_when; EMTR_AUTO: below fallback_confidence */
@@ -234,6 +237,8 @@ typedef struct emtr_settings {
   int32_t fallback_correspondences;
   int32_t fallback_seeds;
   int32_t fallback_candidates;
+  int32_t plane_aligned_poses; /* most poses that lay a plane on a plane; 0: none */
+  int32_t parts;               /* of the larger cloud that are tried where sizes differ; 0: none */
 
   /* refinement of the answer on the fine clouds */
   int32_t refine;     /* 0: off */

@@ -51,7 +51,11 @@ void CandidateSearch::run_fallback_search() {
         candidates->shortlist(seeds, static_cast<std::size_t>(settings_.fallback_candidates), team),
         team);
     // All of them: between two steps of rotation a quick score says too little.
-    candidates->add(admissible(plane_aligned_poses(surfaces_, team), prior_), team);
+    candidates->add(
+        admissible(plane_aligned_poses(
+                       surfaces_, static_cast<std::size_t>(settings_.plane_aligned_poses), team),
+                   prior_),
+        team);
   });
   add_rivals(*candidates);
   candidates_ = std::move(candidates);  // now, and not in part when it is cancelled before
@@ -59,6 +63,7 @@ void CandidateSearch::run_fallback_search() {
 }
 
 void CandidateSearch::add_rivals(CandidateSet& candidates) const {
+  if (!settings_.rivals) return;
   const auto best = [&] { return candidates.ranked().front().pose; };
   ThreadTeam::with(threads_, [&](ThreadTeam& team) {
     candidates.add(admissible(quarter_rotated_rivals(surfaces_, best()), prior_), team);

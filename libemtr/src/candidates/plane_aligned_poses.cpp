@@ -67,7 +67,9 @@ Surface make_even(const Cloud& cloud) {
 
 }  // namespace
 
-std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, ThreadTeam& team) {
+std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, std::size_t maximum_count,
+                                       ThreadTeam& team) {
+  if (maximum_count == 0) return {};
   const Surface source = make_even(surfaces.source().points);
   const Surface target = make_even(surfaces.target().points);
   std::vector<Upright> sources;
@@ -84,7 +86,7 @@ std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, ThreadTeam& 
     }
   }
   std::vector<Rigid> out;
-  for (const SupportedPose& supported : best(std::move(all), kMostPlaneAligned))
+  for (const SupportedPose& supported : best(std::move(all), maximum_count))
     out.push_back(supported.pose);
   return out;
 }

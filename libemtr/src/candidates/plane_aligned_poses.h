@@ -14,10 +14,9 @@ namespace emtr {
 /// each rotation, pairs of points that stand upright on the planes, at one height and facing the
 /// same way, vote for their translation. Unlike matches of descriptors this needs nothing that is
 /// locally distinct, so it finds streets, buildings and rooms seen from far apart. At most
-/// kMostPlaneAligned, those of most votes for each point first; not refined. Empty where one of the
+/// `maximum_count`, those of most votes for each point first; not refined. Empty where one of the
 /// clouds has no such plane.
-std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, ThreadTeam& team);
-
-constexpr std::size_t kMostPlaneAligned = 48;
+std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, std::size_t maximum_count,
+                                       ThreadTeam& team);
 
 }  // namespace emtr

@@ -14,6 +14,7 @@ struct Surface {
   Cloud points;
   Cloud normals;    ///< one a point; unit length, either sign, NaN where there is none
   double leaf = 0;  ///< spacing of the points, above 0
+  bool weighted = true;  ///< by its distinctiveness() in a score
 };
 
 /// Flips each normal that points away from the viewpoint.

@@ -47,6 +47,7 @@ void make_surfaces(Problem& problem) {
   const DownsampledClouds& clouds = problem.downsampled;
   Surface source = surface(clouds.source_dense, problem.source_features, clouds.leaf_dense),
           target = surface(clouds.target_dense, problem.target_features, clouds.leaf_dense);
+  source.weighted = target.weighted = problem.settings.distinctiveness != 0;
   const Normalization& n = problem.pair.normalization;
   const GivenViewpoints given(problem.settings, n);
   const auto viewpoint = [&](const std::optional<Viewpoint>& known, const Surface& of,

@@ -90,7 +90,7 @@ std::unique_ptr<Result> register_clouds(InputCloud& source, InputCloud& target,
   const Sizes sizes = sizes_of(run);
   if (sizes == Sizes::Alike) return register_whole(run);
   auto result = register_both_ways(run, sizes);
-  // What is not in the stages of the result was search.
+  // Counts all that is not in the stages of the result as search.
   const double seconds = stopwatch.lap();
   result->seconds_fallback_search += seconds - result->seconds_total;
   result->seconds_total = seconds;

@@ -12,7 +12,6 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kMostParts = 6;
 constexpr std::size_t kPosesOfPart = 20;
 constexpr double kPartRadius = 1.25;  // of the small cloud's
 constexpr double kSamePart = 0.7;     // of the small cloud's radius, between two centers
@@ -87,7 +86,7 @@ std::vector<ScenePart> find_scene_parts(const InputCloud& small, const InputClou
     });
     const auto index = static_cast<std::size_t>(same - centers.begin());
     if (same == centers.end()) {
-      if (out.size() == kMostParts) continue;
+      if (out.size() == static_cast<std::size_t>(settings.parts)) continue;
       centers.push_back(pose.t);
       out.push_back({scene.part(pose.t), {}});
     }

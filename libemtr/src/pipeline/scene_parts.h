@@ -14,8 +14,8 @@ struct ScenePart {
   std::vector<Rigid> poses;    ///< small into large, the user's unit; not empty
 };
 
-/// Returns the parts of the large cloud where find_places() sees the small one, at most a few, the
-/// most likely first. A part is a ball somewhat larger than the small cloud. Both clouds are
+/// Returns the parts of the large cloud where find_places() sees the small one, the most
+/// likely first. A part is a ball somewhat larger than the small cloud. Both clouds are
 /// preprocessed; the large one is read again where it has more points than were kept.
 std::vector<ScenePart> find_scene_parts(const InputCloud& small, const InputCloud& large,
                                         const Settings& settings);

@@ -106,7 +106,7 @@ Sizes compare_sizes(const PreprocessedCloud& source, const PreprocessedCloud& ta
                     const Settings& settings) {
   const bool user_provided = settings.correspondences || source.keypoints || target.keypoints;
   if (user_provided || settings.fallback_search == When::Off || settings.candidates == 0 ||
-      settings.seeds == 0)
+      settings.seeds == 0 || settings.parts == 0)
     return Sizes::Alike;
   const double ratio =
       std::max(source.radius, target.radius) / std::min(source.radius, target.radius);

@@ -15,6 +15,7 @@ constexpr std::size_t kSamples = 1024;   // normals that stand for all
 
 std::vector<float> distinctiveness(const Surface& surface) {
   const Cloud& normals = surface.normals;
+  if (!surface.weighted) return std::vector<float>(normals.size(), 1);
   const Cloud some = normals.select(spread_rows(normals.size(), kSamples));
   const auto count = static_cast<float>(some.size());
   std::vector<float> out(normals.size());

@@ -10,7 +10,8 @@ namespace emtr {
 /// same way. Ground, walls and floors lie on each other in false poses too, so they prove little; a
 /// pole, a tree or a corner lies on its like in few. With rho the share of the cloud's normals
 /// within 20 degrees of the point's, whatever their signs, the weight is (rho + 0.02)^-1.5. It is
-/// the same, to a factor, wherever and however the cloud lies. 0 where there is no normal.
+/// the same, to a factor, wherever and however the cloud lies. 0 where there is no normal. Of a
+/// surface that is not to be weighted, all weights are 1.
 std::vector<float> distinctiveness(const Surface& surface);
 
 }  // namespace emtr

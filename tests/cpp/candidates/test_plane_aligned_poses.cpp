@@ -12,11 +12,14 @@ using emtr::Rigid;
 using emtr::Surface;
 using emtr::SurfacePair;
 
+constexpr std::size_t kMost = 48;
+
 std::vector<Rigid> poses_of(const Surface& source, const Surface& target, int threads = 1) {
   const SurfacePair surfaces(source, target, {}, {}, emtr::select_kernels());
   std::vector<Rigid> out;
-  emtr::ThreadTeam::with(
-      threads, [&](emtr::ThreadTeam& team) { out = emtr::plane_aligned_poses(surfaces, team); });
+  emtr::ThreadTeam::with(threads, [&](emtr::ThreadTeam& team) {
+    out = emtr::plane_aligned_poses(surfaces, kMost, team);
+  });
   return out;
 }
 
@@ -37,7 +40,7 @@ TEST(PlaneAlignedPoses, AreRigidAndFewAndTheSameForAnyThreads) {
   const Surface source = emtr_test::yard(-1, 0.3, 0), target = emtr_test::yard(-0.3, 1, 0.4);
   const auto poses = poses_of(source, target), again = poses_of(source, target, 3);
   ASSERT_FALSE(poses.empty());
-  EXPECT_LE(poses.size(), emtr::kMostPlaneAligned);
+  EXPECT_LE(poses.size(), kMost);
   ASSERT_EQ(poses.size(), again.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     double T[16];
