@@ -114,3 +114,21 @@ def test_a_callback_sees_one_more_stage_and_can_stop_there():
     result = pyemtr.register(small, large, callback=stop_in_search)
     assert result.reason == "interrupted" and not result.registered
     assert seen[0] == "normalization" and set(seen) == {"normalization", "fallback_search"}
+
+
+def test_a_guess_is_looked_at_first():
+    large, truths = scene(3, ON_TABLE, ON_FLOOR)
+    small = scan(np.random.default_rng(4))
+    for truth in truths:  # each of two that are alike
+        guess = truth.copy()
+        guess[:3, 3] += 0.3 * SIZE
+        result = pyemtr.register(small, large, guess=guess)
+        assert result.registered and shapes.rotation_error(result.transformation, truth) < 1.5
+
+
+def test_parts_without_points_are_no_error():
+    large, _ = scene(1, ON_TABLE)
+    guess = np.eye(4)
+    guess[:3, 3] = 20  # where nothing is
+    result = pyemtr.register(scan(np.random.default_rng(2)), large, guess=guess)
+    assert result.registered

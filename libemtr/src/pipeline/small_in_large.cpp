@@ -10,6 +10,7 @@
 #include "pipeline/scene_parts.h"
 #include "pipeline/solve.h"
 #include "settings/choices.h"
+#include "util/error.h"
 #include "util/stage.h"
 #include "verdict/confidence.h"
 
@@ -24,21 +25,44 @@ class PartRegistration {
   PartRegistration(const InputCloud& small, bool small_is_source, CancellationToken& token)
       : small_(small), small_is_source_(small_is_source), token_(token) {}
 
+  /// Returns null where the part has too few points to be registered.
   std::unique_ptr<Result> operator()(const ScenePart& part, const Settings& settings) const {
     const emtr_cloud cloud{part.points.data(), part.points.size() / 3, 0, EMTR_FLOAT64};
     InputCloud small{nullptr, small_.preprocessed}, large{&cloud, nullptr};
-    const auto problem =
-        make_problem(small_is_source_ ? small : large, small_is_source_ ? large : small, settings,
-                     token_, Stages::Needed);
-    std::vector<Rigid> poses;
-    if (!problem->stopped)
-      for (const Rigid& pose : part.poses)
-        poses.push_back(
-            problem->pair.normalization.to_normalized(small_is_source_ ? pose : pose.inverse()));
-    return solve(*problem, token_, &poses);
+    try {
+      const auto problem =
+          make_problem(small_is_source_ ? small : large, small_is_source_ ? large : small, settings,
+                       token_, Stages::Needed);
+      const std::vector<Rigid> poses = poses_of(part, *problem);
+      return solve(*problem, token_, &poses);
+    } catch (const Error& error) {
+      if (error.status() != EMTR_ERROR_CLOUD) throw;
+      return nullptr;
+    }
+  }
+
+  /// Tells whether two results move the small cloud to the same place: two parts can share it.
+  bool are_same(const Result& a, const Result& b) const {
+    return is_same_pose(moved(a), moved(b), kDistinctPose);
   }
 
  private:
+  std::vector<Rigid> poses_of(const ScenePart& part, const Problem& problem) const {
+    std::vector<Rigid> out;
+    for (const Rigid& pose : part.poses)
+      out.push_back(
+          problem.pair.normalization.to_normalized(small_is_source_ ? pose : pose.inverse()));
+    return out;
+  }
+
+  Rigid moved(const Result& result) const {
+    const PreprocessedCloud& small = *small_.preprocessed;
+    Rigid pose = from_matrix(result.transformation);
+    if (!small_is_source_) pose = pose.inverse();
+    pose.t = (pose * Eigen::Vector3d::Map(small.center)) / small.radius;
+    return pose;
+  }
+
   const InputCloud& small_;
   const bool small_is_source_;
   CancellationToken& token_;
@@ -60,18 +84,6 @@ class OneStage {
 
 bool stopped(const Result& result) {
   return result.reason == EMTR_REASON_INTERRUPTED || result.reason == EMTR_REASON_TIME_LIMIT;
-}
-
-/// Tells whether two results move the small cloud to the same place: two parts can share it.
-bool is_same(const Result& a, const Result& b, const PreprocessedCloud& small,
-             bool small_is_source) {
-  const auto moved = [&](const Result& result) {
-    Rigid pose = from_matrix(result.transformation);
-    if (!small_is_source) pose = pose.inverse();
-    pose.t = (pose * Eigen::Vector3d::Map(small.center)) / small.radius;
-    return pose;
-  };
-  return is_same_pose(moved(a), moved(b), kDistinctPose);
 }
 
 /// Adds an equally good pose in another part to the alternatives: the object may be there twice.
@@ -100,6 +112,55 @@ void speak_of_whole(const PreprocessedCloud& large, bool small_is_source, Result
   out.used_fallback_search = 1;
 }
 
+/// Looks for the small cloud in the part about the user's guess; null without one, or where that
+/// does not convince.
+std::unique_ptr<Result> register_at_guess(const Scene& scene, const PartRegistration& registered,
+                                          bool small_is_source, const Settings& settings) {
+  if (!settings.has_guess) return nullptr;
+  const Rigid guess = from_matrix(settings.guess);
+  auto result = registered(scene.part_at(small_is_source ? guess : guess.inverse()), settings);
+  const bool sure =
+      result && result->registered && result->confidence >= settings.fallback_confidence;
+  return sure ? std::move(result) : nullptr;
+}
+
+/// Registers the small cloud with all parts, and takes the others' poses for rivals of the best.
+std::unique_ptr<Result> register_in_parts(const std::vector<ScenePart>& parts,
+                                          const PartRegistration& registered,
+                                          const Settings& settings) {
+  Settings quick = settings;
+  quick.fallback_search = EMTR_OFF;
+  std::vector<std::unique_ptr<Result>> others;
+  std::unique_ptr<Result> best;
+  const ScenePart* best_part = nullptr;
+  for (const ScenePart& part : parts) {
+    auto result = registered(part, quick);
+    if (!result || !(result->score == result->score)) continue;  // none, or stopped before one
+    if (!best || result->score > best->score) {
+      std::swap(best, result);
+      best_part = &part;
+    }
+    if (result) others.push_back(std::move(result));
+  }
+  if (!best) return nullptr;
+  if (!stopped(*best) && best->confidence < settings.fallback_confidence) {
+    auto again = registered(*best_part, settings);
+    if (again->confidence > best->confidence) best = std::move(again);
+  }
+  bool rivaled = false;
+  for (const auto& other : others)
+    if (is_rival_score(other->score, best->score) && !registered.are_same(*other, *best)) {
+      add_rival(*other, *best);
+      rivaled = true;
+    }
+  if (rivaled && best->reason != EMTR_REASON_AMBIGUOUS) {
+    best->confidence = lower_for_rival(best->confidence);
+    best->registered = best->confidence >= settings.minimum_confidence;
+    if (!best->registered) best->reason = EMTR_REASON_AMBIGUOUS;
+  }
+  return best;
+}
+
 }  // namespace
 
 Sizes compare_sizes(const PreprocessedCloud& source, const PreprocessedCloud& target,
@@ -121,41 +182,11 @@ std::unique_ptr<Result> register_small_in_large(const InputCloud& source, const 
   const InputCloud &small = small_is_source ? source : target,
                    &large = small_is_source ? target : source;
   const OneStage one_stage(token);
-  const std::vector<ScenePart> parts = find_scene_parts(small, large, settings);
+  const Scene scene(small, large);
   const PartRegistration registered(small, small_is_source, token);
-
-  Settings quick = settings;
-  quick.fallback_search = EMTR_OFF;
-  std::vector<std::unique_ptr<Result>> others;
-  std::unique_ptr<Result> best;
-  const ScenePart* best_part = nullptr;
-  for (const ScenePart& part : parts) {
-    auto result = registered(part, quick);
-    if (!(result->score == result->score)) continue;  // stopped before it had one
-    if (!best || result->score > best->score) {
-      std::swap(best, result);
-      best_part = &part;
-    }
-    if (result) others.push_back(std::move(result));
-  }
-  if (!best) return nullptr;
-  if (!stopped(*best) && best->confidence < settings.fallback_confidence) {
-    auto again = registered(*best_part, settings);
-    if (again->confidence > best->confidence) best = std::move(again);
-  }
-  bool rivaled = false;
-  for (const auto& other : others) {
-    if (!is_rival_score(other->score, best->score)) continue;
-    if (is_same(*other, *best, *small.preprocessed, small_is_source)) continue;
-    add_rival(*other, *best);
-    rivaled = true;
-  }
-  if (rivaled && best->reason != EMTR_REASON_AMBIGUOUS) {
-    best->confidence = lower_for_rival(best->confidence);
-    best->registered = best->confidence >= settings.minimum_confidence;
-    if (!best->registered) best->reason = EMTR_REASON_AMBIGUOUS;
-  }
-  speak_of_whole(*large.preprocessed, small_is_source, *best);
+  auto best = register_at_guess(scene, registered, small_is_source, settings);
+  if (!best) best = register_in_parts(scene.find_parts(settings), registered, settings);
+  if (best) speak_of_whole(*large.preprocessed, small_is_source, *best);
   return best;
 }
 
