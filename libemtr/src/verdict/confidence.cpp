@@ -19,7 +19,7 @@ constexpr double kRivalShareFromOnePlace = 0.3;
 // sensors: the best only overlaps more, as scans of a symmetric object do in a wrong pose. Of right
 // poses of real scans next to none has one.
 constexpr double kCleanRivalShare = 0.45, kCleanPrecision = 0.92, kCleanViolation = 0.006;
-constexpr double kRivalFactor = 0.25, kFewPointsFactor = 0.4, kChangedFactor = 0.1;
+constexpr double kRivalFactor = 0.4, kFewPointsFactor = 0.4, kChangedFactor = 0.1;
 // How much better a changed source must fit: a scene that is its own mirror image fits as well.
 constexpr double kBetterShare = 1.15, kBetterBy = 0.02;
 // 95 of 100 right poses have more of the weight than this share of the points.
