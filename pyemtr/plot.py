@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import io
 import os
-import secrets
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,6 +18,7 @@ from .camera import Camera, best_view, side_view
 from .drawing import INK, draw_points, shaded
 from .neighborhood import neighbor_tree, spacing, subsampled, surface_normals
 from .points import as_points
+from .whole_file import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -236,10 +236,4 @@ def _new_figure(interactive: bool, dpi: int) -> Figure:
 def _save(figure: Figure, path: Path, dpi: int) -> None:
     content = io.BytesIO()
     figure.savefig(content, dpi=dpi, format=path.suffix[1:] or "png")
-    beside = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
-    try:
-        with open(beside, "xb") as file:
-            file.write(content.getvalue())
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)
+    write_whole(path, content.getvalue())

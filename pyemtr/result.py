@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any
@@ -232,6 +233,50 @@ class Result:
         return residuals(
             source, target, self.transformation, of=of, threads=threads, mesh_points=mesh_points
         )
+
+    def to_html(
+        self,
+        path: str | os.PathLike[str],
+        source: Any,
+        target: Any,
+        *,
+        title: str = "",
+        names: Sequence[str] | None = None,
+        unit: str = "",
+        up: Sequence[float] | None = None,
+        max_points: int = 30_000,
+        threads: int = 0,
+        mesh_points: int = MESH_POINTS,
+    ) -> None:
+        """Writes a page to look at: both clouds in three dimensions before and after, the error
+        map, the verdict with what to try, the alternatives, residuals, convergence, times and
+        settings. One file for any browser with WebGL; it loads nothing. ``pcl_emtr --html`` writes
+        the same.
+
+        Args:
+            path: file to write, whole or not at all.
+            source, target: the clouds that were registered, as :func:`pyemtr.register` takes them.
+                Points with a NaN or an infinity, and strays, are not shown.
+            title: above the page; empty for the names of the clouds.
+            names: of the source and the target; None for the names of their files.
+            unit: name of the clouds' unit, for the scale bar and the distances.
+            up: direction (3,) in the target's frame that is up on the screen; None: the ``axis``
+                that the registration was given, or z.
+            max_points: of each cloud that are shown, 1 to 100000, evenly spread in space. Their
+                distances are measured to all points of the target.
+            threads: 0 for as many as OpenMP would use; the page does not depend on it.
+            mesh_points: as in :func:`pyemtr.register`.
+
+        Raises:
+            TypeError, ValueError: not a cloud, no finite point, or an argument out of range.
+            OSError: a file cannot be read or written.
+        """
+        from .html import write_page
+
+        write_page(
+            self, path, source, target, title=title, names=names, unit=unit, up=up,
+            max_points=max_points, threads=threads, mesh_points=mesh_points,
+        )  # fmt: skip
 
     def to_dict(self) -> dict[str, Any]:
         """Returns all fields as JSON values: lists for arrays, None for NaN and infinities, a dict

@@ -23,6 +23,7 @@ def test_says_what_was_run(report, run):
         "transformation": "T.txt",
         "aligned": None,
         "report": "r.json",
+        "html": None,
         "guess": None,
         "correspondences": None,
     }

@@ -36,7 +36,7 @@ void check_before(Options& options) {
     options.settings.correspondences = options.correspondences.pairs.data();
     options.settings.correspondence_count = options.correspondences.size();
   }
-  for (const auto* path : {&options.output, &options.aligned, &options.report})
+  for (const auto* path : {&options.output, &options.aligned, &options.report, &options.html})
     if (!path->empty()) OutputFiles::require_writable(*path);
   if (options.output.empty() && fcntl(STDOUT_FILENO, F_GETFL) < 0)
     throw Failure(kInputOutput, "standard output is closed, and there is no -o for the matrix");
@@ -98,6 +98,7 @@ int run(int argc, char** argv) {
   if (!options.aligned.empty())
     messages.saved(options.aligned, saved_text(source, *options.aligned_as));
   if (!options.report.empty()) messages.saved(options.report, "report");
+  if (!options.html.empty()) messages.saved(options.html, "page");
   return exit_code(*result);
 }
 

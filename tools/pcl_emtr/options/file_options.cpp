@@ -63,8 +63,17 @@ void FileOptions::add_outputs(CLI::App& app, Options& options) {
               " (PCD and PLY are binary); normals, the sensor's pose and the faces of a mesh are "
               "moved too, but a PCD file gets the points that sample a mesh"),
       add_output(app, "--report", options.report,
-                 "write settings, versions, timings, counts, quality, verdict and T here as JSON")};
+                 "write settings, versions, timings, counts, quality, verdict and T here as JSON"),
+      add_output(
+          app, "--html", options.html,
+          "write a page to look at here: both clouds in three dimensions, the error map, the "
+          "verdict and what to try, the alternatives, timings and settings; one file for a "
+          "browser, which loads nothing")};
   for (CLI::Option* output : outputs_) output->group("Output files");
+  app.add_option("--html-unit", options.html_unit,
+                 wrapped("the name of the clouds' unit, for the scale bar of --html, such as mm"))
+      ->type_name("NAME")
+      ->group("Output files");
   app.add_flag("--residuals", options.residuals,
                wrapped("measure the distance of each moved source point to the nearest target "
                        "point: field 'residual' in --aligned, their distribution in --report"))
@@ -120,6 +129,8 @@ void FileOptions::add_formats(CLI::App& app, Options& options) {
 void FileOptions::check(Options& options) const {
   if (options.residuals && options.aligned.empty() && options.report.empty())
     throw UsageFailure("--residuals: expected --aligned or --report to write them to");
+  if (!options.html_unit.empty() && options.html.empty())
+    throw UsageFailure("--html-unit: expected --html, on whose page it is shown");
   check_formats(options);
   options.mesh_points = mesh_points(mesh_points_, options);
   const auto inputs = named(inputs_), outputs = named(outputs_);

@@ -17,6 +17,8 @@ struct Options {
   std::string output;   // the matrix; empty: standard output
   std::string aligned;  // the moved source
   std::string report;
+  std::string html;       // the page to look at
+  std::string html_unit;  // the name of the clouds' unit on it
   std::string guess;
   std::string input_format;            // of both clouds; empty: by extension or beginning
   std::string aligned_format;          // of --aligned; empty: by extension

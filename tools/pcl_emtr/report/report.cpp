@@ -26,9 +26,8 @@ Json mesh_json(const CloudFile& cloud) {
 
 }  // namespace
 
-std::string report(const Options& options, const CloudFile& source, const CloudFile& target,
-                   const emtr_result& r, const std::vector<double>& residuals,
-                   const UnitHint& hint) {
+Json report(const Options& options, const CloudFile& source, const CloudFile& target,
+            const emtr_result& r, const std::vector<double>& residuals, const UnitHint& hint) {
   Json out;
   add_input(out, options);
   add_result(out, r);
@@ -40,8 +39,12 @@ std::string report(const Options& options, const CloudFile& source, const CloudF
   out["counts"]["read_target"] = target.size();
   out["seconds"]["load_source"] = source.milliseconds / 1e3;
   out["seconds"]["load_target"] = target.milliseconds / 1e3;
+  return out;
+}
+
+std::string report_text(const Json& report) {
   // A file name need not be UTF-8: its odd bytes are replaced rather than the report lost.
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace cli

@@ -55,7 +55,8 @@ void add_input(Json& out, const Options& options) {
                   {"target", options.target},
                   {"transformation", text_or_null(options.output)},
                   {"aligned", text_or_null(options.aligned)},
-                  {"report", options.report},
+                  {"report", text_or_null(options.report)},
+                  {"html", text_or_null(options.html)},
                   {"guess", text_or_null(options.guess)},
                   {"correspondences", text_or_null(options.correspondences.path)}};
   out["preset"] = options.preset;

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <string>
 
+#include "html/page.h"
 #include "interrupt.h"
 #include "mesh/sample_mesh.h"
 #include "report/report.h"
@@ -44,8 +45,10 @@ void write_outputs(const Options& options, CloudFile& source, const CloudFile& t
   OutputFiles files;
   const std::string matrix = matrix_text(result.transformation);
   files.write_text(options.output.empty() ? kStandardOutput : options.output, matrix);
-  if (!options.report.empty())
-    files.write_text(options.report, report(options, source, target, result, residuals, hint));
+  const Json told = report(options, source, target, result, residuals, hint);
+  if (!options.report.empty()) files.write_text(options.report, report_text(told));
+  if (!options.html.empty())
+    files.write_text(options.html, html_page(options, source, target, result, told));
   if (!options.aligned.empty()) write_aligned(options, source, target, result, residuals, files);
   files.commit();
 }
