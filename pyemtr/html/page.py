@@ -88,8 +88,10 @@ def page_payload(
 def _block(
     points: Floats, name: str, center: Floats, result: Result, max_points: int
 ) -> PointBlock:
+    known = np.isfinite(result.transformation).all()  # else stopped before it was measured
+    radius = result.normalization_scale if known else np.nan
     try:
-        return point_block(points, center, result.normalization_scale, max_points)
+        return point_block(points, center, radius, max_points)
     except ValueError as error:
         raise ValueError(f"{name}: {error}") from error
 

@@ -33,6 +33,9 @@ function roundStep(value) {
 
 const percent = (share) => (share === null || !Number.isFinite(share) ? "unknown" : `${rounded(100 * share, 3)} %`);
 
+/// A probability: what is not quite sure is not rounded to certainty.
+const probability = (share) => (share > 0.999 && share <= 1 ? "above 99.9 %" : percent(share));
+
 /// An empty chart of 460 by `height`, its plot area and the maps from values to it.
 function chart(height, label, xs, ys) {
   const box = { left: 46, right: 452, top: 8, bottom: height - 32 };

@@ -7,7 +7,7 @@ const known = (value) => value !== null && value !== undefined;
 const COLUMNS = [
   { name: "pair", value: (e) => e.name, words: true },
   { name: "verdict", value: (e) => Number(e.registered) },
-  { name: "confidence", value: (e) => e.confidence, text: (e) => percent(e.confidence) },
+  { name: "confidence", value: (e) => e.confidence, text: (e) => probability(e.confidence) },
   { name: "reason", value: (e) => e.reason, words: true, text: (e) => e.reason_text },
   { name: "overlap, source", value: (e) => e.overlap_source, text: (e) => percent(e.overlap_source) },
   { name: "rmse to planes", value: (e) => e.inlier_rmse_plane, text: (e) => rounded(e.inlier_rmse_plane) },

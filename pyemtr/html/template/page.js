@@ -36,7 +36,7 @@ function fillHeading() {
   verdict.classList.add(report.registered ? "good" : "bad");
   verdict.append(report.registered ? "✓ Registered" : "✕ Not registered");
   if (report.confidence !== null)
-    verdict.append(element("b", {}, `confidence ${percent(report.confidence)}`));
+    verdict.append(element("b", {}, `confidence ${probability(report.confidence)}`));
 }
 
 function fillAnswer() {
@@ -47,7 +47,7 @@ function fillAnswer() {
     ? "The clouds are registered."
     : `Not registered: ${cause}.`));
   if (report.confidence !== null)
-    reasons.append(element("p", {}, `The estimated probability that this pose is right is ${percent(report.confidence)}.`));
+    reasons.append(element("p", {}, `The estimated probability that this pose is right is ${probability(report.confidence)}.`));
   for (const text of told.meaning) reasons.append(worded(text));
   if (report.unit_hint) reasons.append(element("p", {}, `Look at the units: ${report.unit_hint.text}`));
   if (told.try.length) {

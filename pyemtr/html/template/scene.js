@@ -70,8 +70,7 @@ class View {
     this.payload = payload;
     this.poses = poses; // matrices, source into target, as nested lists
     const target = payload.clouds.target;
-    const known = payload.report.normalization.center_target;
-    this.base = known && known.every(Number.isFinite) ? known : target.origin;
+    this.base = poses[0] ? payload.report.normalization.center_target : target.origin;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: false });
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.1, 10);
     this.camera.up.fromArray(payload.up).normalize();
@@ -153,9 +152,7 @@ class View {
     const whole = new THREE.Matrix4().set(...matrix.flat());
     const rotation = new THREE.Quaternion().setFromRotationMatrix(whole);
     const part = new THREE.Quaternion().slerp(rotation, share);
-    const known = this.payload.report.normalization.center_source;
-    const cloud = this.payload.clouds.source;
-    const center = new THREE.Vector3(...(known && known.every(Number.isFinite) ? known : cloud.origin));
+    const center = new THREE.Vector3(...this.payload.report.normalization.center_source);
     const moved = center.clone().lerp(center.clone().applyMatrix4(whole), share);
     const back = new THREE.Matrix4().makeTranslation(-center.x, -center.y, -center.z);
     return new THREE.Matrix4().makeTranslation(moved.x, moved.y, moved.z)
@@ -191,15 +188,22 @@ class View {
     this.draw();
   }
 
-  bounds() {
-    const box = new THREE.Box3();
+  /// Some thousand points of what is to be seen, where they are now.
+  sample() {
+    const found = [];
     for (const name of ["target", "aligned", ...(this.points.before.visible ? ["before"] : [])]) {
-      const points = this.points[name];
-      if (!points.geometry.boundingBox) points.geometry.computeBoundingBox();
-      box.union(points.geometry.boundingBox.clone().applyMatrix4(points.matrix));
+      const { geometry, matrix } = this.points[name];
+      const position = geometry.getAttribute("position");
+      for (let i = 0; i < position.count; i += 1 + Math.floor(position.count / 3000))
+        found.push(new THREE.Vector3().fromBufferAttribute(position, i).applyMatrix4(matrix));
     }
-    const center = box.getCenter(new THREE.Vector3());
-    return { center, radius: box.max.distanceTo(center) || 1 };
+    return found;
+  }
+
+  bounds() {
+    const seen = this.sample();
+    const center = new THREE.Box3().setFromPoints(seen).getCenter(new THREE.Vector3());
+    return { center, radius: Math.max(...seen.map((p) => p.distanceTo(center))) || 1 };
   }
 
   show(name, visible) {
@@ -210,28 +214,27 @@ class View {
   /// Looks at all of it from the side that shows most, from a little above.
   look() {
     this.sphere = this.bounds();
-    const { center, radius } = this.sphere;
+    const { center } = this.sphere;
     const up = this.camera.up;
     const side = new THREE.Vector3(1, 0, 0).addScaledVector(up, -up.x);
     if (side.length() < 0.1) side.set(0, 1, 0).addScaledVector(up, -up.y);
     side.normalize();
     const ahead = new THREE.Vector3().crossVectors(up, side);
-    const place = this.points.target;
-    const at = new THREE.Vector3();
-    const position = place.geometry.getAttribute("position");
+    const seen = this.sample().map((p) => p.sub(center));
     let [xx, xy, yy] = [0, 0, 0];
-    const middle = new THREE.Vector3().applyMatrix4(place.matrix);
-    place.geometry.boundingBox.getCenter(middle).applyMatrix4(place.matrix);
-    for (let i = 0; i < position.count; i += 1 + Math.floor(position.count / 4000)) {
-      at.fromBufferAttribute(position, i).applyMatrix4(place.matrix).sub(middle);
-      const [x, y] = [at.dot(side), at.dot(ahead)];
+    for (const p of seen) {
+      const [x, y] = [p.dot(side), p.dot(ahead)];
       xx += x * x; xy += x * y; yy += y * y;
     }
     const long = 0.5 * Math.atan2(2 * xy, xx - yy); // of the longest horizontal direction
     const from = side.multiplyScalar(Math.sin(long)).addScaledVector(ahead, -Math.cos(long))
       .addScaledVector(up, 0.6).normalize();
-    const narrow = Math.min(1, this.camera.aspect);
-    const away = 0.82 * radius / Math.sin((this.camera.fov / 2) * Math.PI / 180) / narrow;
+    const right = new THREE.Vector3().crossVectors(up, from).normalize();
+    const above = new THREE.Vector3().crossVectors(from, right);
+    const lens = Math.tan((this.camera.fov / 2) * Math.PI / 180) * 0.9; // a tenth is margin
+    let away = 0;
+    for (const p of seen)
+      away = Math.max(away, p.dot(from) + Math.max(Math.abs(p.dot(above)), Math.abs(p.dot(right)) / this.camera.aspect) / lens);
     this.controls.target.copy(center);
     this.camera.position.copy(center).addScaledVector(from, away);
     this.controls.update();
@@ -317,7 +320,7 @@ class View {
     const lens = height / (2 * Math.tan((camera.fov / 2) * Math.PI / 180));
     for (const [name, points] of Object.entries(this.points)) {
       const count = points.geometry.getAttribute("position").count;
-      const gap = 1.7 * sphere.radius / Math.sqrt(Math.max(count, 1));
+      const gap = 2 * sphere.radius / Math.sqrt(Math.max(count, 1));
       points.material.uniforms.pointSize.value = this.size * gap * lens;
       points.material.uniforms.minimumSize.value = 1.2 * this.size * renderer.getPixelRatio();
       points.material.uniforms.limit.value = name === "aligned" && this.errors ? this.limit : 0;
@@ -327,7 +330,7 @@ class View {
     uniforms.far.value = camera.far;
     uniforms.pixel.value.set(1.3 * renderer.getPixelRatio() / this.target.width,
       1.3 * renderer.getPixelRatio() / height);
-    uniforms.strength.value = 0.55 * away / sphere.radius * 12;
+    uniforms.strength.value = 45 * away / sphere.radius;
     renderer.setRenderTarget(this.target);
     renderer.clear();
     renderer.render(this.scene, camera);

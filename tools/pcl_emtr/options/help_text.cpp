@@ -32,8 +32,7 @@ Prints T, which maps source into target: q = R p + t.
   --aligned FILE      write the source moved by T as )" +
          written_extensions() + R"(
   --report FILE       write settings, timings, quality, verdict and T as JSON
-  --html FILE         write a page to look at: clouds in 3-D, verdict, what to try
-  --residuals         add each point's distance to the target to these files
+  --html FILE         write a page to look at: 3-D view, verdict, what to try
   --preset NAME       default, fast, thorough, or paper (the published method)
   --guess FILE        try this pose too: a text file of a 4x4 matrix
   --seed N            seed of all random numbers; same seed, same result
