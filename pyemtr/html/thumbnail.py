@@ -70,10 +70,11 @@ def _drawn(points: Floats, colors: Floats, up: tuple[float, float, float]) -> ND
     if not len(points):
         return pixels
     seen = (points - np.median(points, axis=0)) @ _axes(up).T
-    reach = np.percentile(np.abs(seen[:, :2]) / (WIDTH, HEIGHT), 99.5) * 2.1 or 1.0
+    seen -= np.mean(np.percentile(seen, (0.5, 99.5), axis=0), axis=0)
+    reach = np.percentile((np.abs(seen[:, :2]) / (WIDTH, HEIGHT)).max(axis=1), 99.5) * 2.15 or 1.0
     at = np.floor(seen[:, :2] / reach * (1, -1) + (WIDTH / 2, HEIGHT / 2)).astype(np.int64)
     low, high = np.percentile(seen[:, 2], (1, 99))
-    light = 0.55 + 0.45 * np.clip((seen[:, 2] - low) / ((high - low) or 1.0), 0, 1)
+    light = 0.65 + 0.35 * np.clip((seen[:, 2] - low) / ((high - low) or 1.0), 0, 1)
     order = np.argsort(seen[:, 2], kind="stable")  # what is nearer is drawn later
     for dx, dy in ((0, 0), (1, 0), (0, 1), (1, 1)):
         x, y = (at[order] + (dx, dy)).T

@@ -51,10 +51,10 @@ def pages(tmp_path_factory) -> dict[str, Path]:
     from pyemtr.html.thumbnail import thumbnail
 
     folder = tmp_path_factory.mktemp("pages")
-    turned = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    quarter = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
     clouds = {
-        "registered": (relief(9000, 1)[:, :] @ turned + [300, -40, 10], relief(9000, 2)),
-        "ambiguous": (box(5000, 3) @ turned, box(5000, 4)),
+        "registered": (relief(9000, 1) @ quarter + [300, -40, 10], relief(9000, 2)),
+        "ambiguous": (box(5000, 3) @ quarter, box(5000, 4)),
     }
     found, entries = {}, []
     for name, (source, target) in clouds.items():
@@ -146,7 +146,9 @@ class Page:
         ]
 
     def requests(self) -> list[str]:
-        messages = [json.loads(e["message"])["message"] for e in self.browser.get_log("performance")]
+        messages = [
+            json.loads(e["message"])["message"] for e in self.browser.get_log("performance")
+        ]
         return [
             message["params"]["request"]["url"]
             for message in messages

@@ -182,7 +182,9 @@ def test_without_webgl_the_rest_of_the_page_is_there(page, pages) -> None:
 
 def test_the_index_is_sorted_by_the_head_that_is_pressed(page, pages) -> None:
     page.open(pages["index"])
-    names = "return [...document.querySelectorAll('tbody tr')].map((r) => r.children[1].textContent)"
+    names = (
+        "return [...document.querySelectorAll('tbody tr')].map((r) => r.children[1].textContent)"
+    )
     assert page.js(names)[:2] == ["ambiguous", "registered"]
     assert page.js(names)[2].startswith("</script>")  # of unknown confidence
     press = "document.querySelectorAll('th button')[arguments[0]].click()"

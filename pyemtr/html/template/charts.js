@@ -47,11 +47,12 @@ function chart(height, label, xs, ys) {
   const text = (at, down, words, anchor = "middle") =>
     svg.append(shape("text", { x: at, y: down, "text-anchor": anchor }, words));
   for (const [range, write] of [
-    [xs, (v) => text(x(v), box.bottom + 15, rounded(v, 3))],
-    [ys, (v) => { line(box.left, y(v), box.right, y(v), "axis"); text(box.left - 6, y(v) + 4, rounded(v, 3), "end"); }],
+    [xs, (v, words) => text(x(v), box.bottom + 15, words)],
+    [ys, (v, words) => { line(box.left, y(v), box.right, y(v), "axis"); text(box.left - 6, y(v) + 4, words, "end"); }],
   ]) {
     const step = roundStep(span(range) / 3.5);
-    for (let v = Math.ceil(range[0] / step - 1e-9) * step; v <= range[1] + 1e-9 * step; v += step) write(v);
+    for (let v = Math.ceil(range[0] / step - 1e-9) * step; v <= range[1] + 1e-9 * step; v += step)
+      write(v, rounded(v, Math.max(3, Math.ceil(Math.log10(Math.abs(v) / step + 1)) + 1)));
   }
   return { svg, box, x, y, line, text };
 }
@@ -83,8 +84,8 @@ function history(values, label, switchAt, ink) {
   const c = chart(170, label, [0, values.length], [low - room, high + room]);
   if (switchAt > 0 && switchAt < values.length) {
     c.line(c.x(switchAt), c.box.top, c.x(switchAt), c.box.bottom, "mark");
-    c.text(c.x(switchAt) - 5, c.box.top + 9, "sparse", "end");
-    c.text(c.x(switchAt) + 5, c.box.top + 9, "dense", "start");
+    c.text(c.x(switchAt) - 5, c.box.bottom - 6, "sparse", "end");
+    c.text(c.x(switchAt) + 5, c.box.bottom - 6, "dense", "start");
   }
   const parts = switchAt > 0 ? [[0, switchAt], [switchAt, values.length]] : [[0, values.length]];
   for (const [from, to] of parts) {

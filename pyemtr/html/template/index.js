@@ -46,7 +46,7 @@ function start() {
   const body = element("tbody");
   const heads = COLUMNS.map((column) => {
     const button = element("button", { type: "button" }, column.name);
-    const head = element("th", { scope: "col" }, button);
+    const head = element("th", column.words ? { scope: "col", class: "words" } : { scope: "col" }, button);
     const mark = () => {
       for (const other of heads) other.removeAttribute("aria-sort");
       head.setAttribute("aria-sort", order.up ? "ascending" : "descending");

@@ -275,7 +275,8 @@ class View {
     const style = getComputedStyle(document.documentElement);
     const color = (name) => rgb(style.getPropertyValue(name).trim());
     const dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    this.shade.uniforms.ground.value = color("--view");
+    this.colors = { target: color("--target"), ground: color("--view") };
+    this.shade.uniforms.ground.value = this.colors.ground;
     for (const [name, points] of Object.entries(this.points)) {
       const { uniforms } = points.material;
       uniforms.color.value = color({ target: "--target", before: "--before", aligned: "--source" }[name]);
@@ -323,6 +324,9 @@ class View {
       const gap = 2 * sphere.radius / Math.sqrt(Math.max(count, 1));
       points.material.uniforms.pointSize.value = this.size * gap * lens;
       points.material.uniforms.minimumSize.value = 1.2 * this.size * renderer.getPixelRatio();
+      const { target, ground } = this.colors; // the target steps back where the errors are shown
+      if (name === "target")
+        points.material.uniforms.color.value = target.map((v, i) => (this.errors ? 0.3 * v + 0.7 * ground[i] : v));
       points.material.uniforms.limit.value = name === "aligned" && this.errors ? this.limit : 0;
     }
     const { uniforms } = this.shade;
