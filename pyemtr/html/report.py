@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import _emtr
+from ..extension import _emtr
 from ..options import settings
 from ..result_json import to_json
 

@@ -11,13 +11,16 @@ TEMPLATE = Path(__file__).resolve().parent / "template"
 
 # What stands for the contents of which files in the templates. CMake reads the same list for the
 # command, from tools/pcl_emtr/html/template.cmake.
-PAGE_PARTS = {
+PAGE_PARTS: dict[str, tuple[str, ...]] = {
     "@style@": ("page.css",),
     "@advice@": ("advice.json",),
     "@three@": ("three.min.js",),
     "@script@": ("charts.js", "scene.js", "page.js"),
 }
-INDEX_PARTS = {"@style@": ("page.css", "index.css"), "@script@": ("charts.js", "index.js")}
+INDEX_PARTS: dict[str, tuple[str, ...]] = {
+    "@style@": ("page.css", "index.css"),
+    "@script@": ("charts.js", "index.js"),
+}
 
 
 def page_with(payload: dict[str, Any]) -> str:
