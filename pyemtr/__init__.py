@@ -4,12 +4,13 @@
     if result.registered:
         moved = result.apply(source)           # in the target's frame
 
-Five calls are enough for most users:
+Six calls are enough for most users:
 
 * :func:`register` finds the transformation that maps source into target.
 * :meth:`Result.apply` moves points by it.
 * :class:`Cloud` preprocesses a cloud once for many registrations.
 * :func:`residuals` measures the distance of each point to the other cloud.
+* :func:`align_all` brings many scans of one thing into one frame.
 * :func:`settings` lists the keyword arguments that tune the method.
 
 Every transformation maps source into target, q = R p + t, in the clouds' own unit.
@@ -22,6 +23,7 @@ from ._emtr import kernel_name
 from .alternative import Alternative
 from .cloud import Cloud
 from .distances import residuals
+from .multiway import MultiwayResult, align_all
 from .options import Setting, presets, settings
 from .problem import Problem
 from .progress import Progress
@@ -36,6 +38,8 @@ __all__ = [  # noqa: RUF022 - what everyone needs stands first
     "Result",
     "Cloud",
     "residuals",
+    "align_all",
+    "MultiwayResult",
     "settings",
     "presets",
     "Setting",

@@ -45,7 +45,7 @@ def read_cloud(path: str, name: str) -> Any:
     elif ending in _READERS:
         read = _READERS[ending]
     else:
-        hint = _HINTS.get(ending, f"known are {', '.join(sorted([*_TEXT, *_READERS]))}")
+        hint = _HINTS.get(ending, f"known are {', '.join(FORMATS)}")
         raise ValueError(f"{name}: {path}: no format that pyemtr reads: {hint}")
     with open(path, "rb"):  # the error of a file that is not there is the system's for all formats
         pass
@@ -111,3 +111,6 @@ _READERS = {
     ".pcd": _read_pcd,
     ".ply": _read_ply,
 }
+
+#: The endings of the files that :func:`read_cloud` reads.
+FORMATS = tuple(sorted([*_TEXT, *_READERS]))
