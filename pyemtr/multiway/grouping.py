@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Floats
 from .comparison import agree
@@ -28,6 +29,8 @@ MARGIN = 1.5
 _WORST = -3.0  # the most that one pair of scans takes from the odds
 _TRIED = 60  # poses of two groups that are judged, the most probable
 _IGNORED = 0.003
+#: Probability from which a hypothesis that agrees with the others is an edge of the graph.
+LIKELY = 0.05
 
 
 @dataclass(eq=False)
@@ -126,7 +129,7 @@ class Grouping:
             ]
         )
         odds = np.zeros(len(poses))
-        chosen: list[list[Hypothesis | None]] = []
+        chosen: list[tuple[_Pair, NDArray[np.intp], Floats]] = []
         for pair in pairs:
             implied = inverse(first.poses[pair.target]) @ poses @ second.poses[pair.source]
             same = agree(implied[:, None], pair.poses[None], pair.center, self._radius)
@@ -138,14 +141,17 @@ class Grouping:
                 np.log(likely / CHANCE + 1 - likely),
                 max(np.log1p(-pair.registered), _WORST),
             )
-            chosen.append([pair.found[k] if p > 0 else None for k, p in zip(which, likely)])
+            chosen.append((pair, which, likely))
         top = int(odds.argmax())
         pair = pairs[proposals[top][1]]
         implied = inverse(first.poses[pair.target]) @ poses @ second.poses[pair.source]
         other = ~agree(implied, implied[top], pair.center, self._radius, slack=2.0)
         margin = float(odds[top] - odds[other].max(initial=-np.inf))
-        edges = [column[top] for column in chosen]
-        return Merge(poses[top], float(odds[top]), margin, [one for one in edges if one])
+        edges = [(pair.found[which[top]], likely[top]) for pair, which, likely in chosen]
+        sure = [one for one, likely in edges if likely >= LIKELY]
+        return Merge(
+            poses[top], float(odds[top]), margin, sure or [one for one, p in edges if p > 0]
+        )
 
     def _pairs(self, first: Group, second: Group) -> list[_Pair]:
         found = []

@@ -10,7 +10,7 @@ from ..arrays import Floats
 from ..result import Result
 from .comparison import agree
 from .edges import all_edges
-from .grouping import Group, Grouping
+from .grouping import LIKELY, Group, Grouping
 from .hypothesis import Hypothesis, hypotheses_of
 from .joint import refine_jointly
 from .loops import loop_probabilities
@@ -145,6 +145,7 @@ class Stages:
                 self._extents[source].center,
                 self._radius,
             )
+            same &= np.array([self._probabilities[one] >= LIKELY for one in found])
             if same.any():
                 chosen[pair] = max(
                     (one for one, near in zip(found, same) if near),

@@ -11,7 +11,16 @@ from accuracy_fakes import REPOSITORY
 FOLDER = REPOSITORY / "tools" / "bench"
 COMMANDS = sorted(file.name for file in FOLDER.iterdir() if os.access(file, os.X_OK)
                   and file.is_file())  # fmt: skip
-OF_PAIRS = ("ablation", "accuracy", "calibration", "fit_confidence", "matches", "peers", "stages")
+OF_PAIRS = (
+    "ablation",
+    "accuracy",
+    "align_all",
+    "calibration",
+    "fit_confidence",
+    "matches",
+    "peers",
+    "stages",
+)
 
 
 def run(name, *words):

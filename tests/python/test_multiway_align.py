@@ -27,6 +27,13 @@ def made():
 
 
 @pytest.fixture(scope="module")
+def two(made):
+    """The three scans of the second thing, and which of all they are."""
+    picked = [i for i, thing in enumerate(made.things) if thing == 2]
+    return [made.clouds[i] for i in picked], picked
+
+
+@pytest.fixture(scope="module")
 def result(made):
     return pyemtr.align_all(made.clouds, threads=2)
 
