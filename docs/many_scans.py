@@ -18,9 +18,6 @@ import pyemtr
 from pyemtr.multiway.picture import model_picture
 
 DOCS = Path(__file__).resolve().parent
-sys.path.insert(0, str(DOCS.parent / "tools"))
-from virtual_scan import places, rays, scanner
-
 VIEWS = [(45 * k, 18 if k % 2 else 32) for k in range(8)]  # azimuth and elevation, degrees
 COLORS = 200
 WIDTH = 1400  # pixels
@@ -36,6 +33,9 @@ def any_pose(rng: np.random.Generator) -> np.ndarray:
 
 def scans(rng: np.random.Generator) -> list[np.ndarray]:
     """The shape from all sides, in millimeters, and a table of which one scan is among them."""
+    sys.path.insert(0, str(DOCS.parent / "tools"))
+    from virtual_scan import places, rays, scanner
+
     made = [scanner.scan(scanner.viewpoint(*view), 12000, 0.1, rng).points for view in VIEWS]
     eye = np.array([0.6, -0.6, 0.7])
     sight = rays.camera(eye, np.zeros(3), half_angle=27.0, columns=140, rows=105)

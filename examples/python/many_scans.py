@@ -1,7 +1,7 @@
 """Six scans of one object and one of something else, in no order: who belongs where?
 
-Nothing is told of the poses. The result has a pose for each scan that is sure, and a reason for each
-one that was left out. Needs ``pip install 'pyemtr[align]'``.
+Nothing is told of the poses. The result has a pose for each scan that is sure, and a reason for
+each one that was left out. Needs ``pip install 'pyemtr[align]'``.
 """
 
 import numpy as np

@@ -45,7 +45,7 @@ def about_origin(information: Floats, center: Floats) -> Floats:
     return np.asarray(change.T @ information @ change)
 
 
-def in_source_frame(information: Floats, pose: Floats) -> Floats:
+def at_source(information: Floats, pose: Floats) -> Floats:
     """Returns the information of m in pose exp(m) for that of n in exp(n) pose."""
     carried = adjoint(pose)
     return np.asarray(carried.T @ information @ carried)

@@ -50,8 +50,8 @@ def refine_jointly(
     centers = [moved(poses[scan], surfaces[scan].points).mean(axis=0) for scan in scans]
     middle = Extent(np.mean(centers, axis=0), radius)
     with ThreadPoolExecutor(max_workers=threads) as workers:
-        for turn in range(_ROUNDS):
-            reach = radius * max(_FARTHEST * (_NEAREST / _FARTHEST) ** (turn / 8), _NEAREST)
+        for passed in range(_ROUNDS):
+            reach = radius * max(_FARTHEST * (_NEAREST / _FARTHEST) ** (passed / 8), _NEAREST)
             jobs = [
                 workers.submit(_equations, a, b, found, samples, surfaces, trees, reach, middle)
                 for a in scans
@@ -62,7 +62,7 @@ def refine_jointly(
             for scan, motion in step.items():
                 found[scan] = orthonormal(_applied(motion, middle) @ found[scan])
             largest = max((float(np.abs(motion).max()) for motion in step.values()), default=0.0)
-            if largest < _DONE and turn >= 8:
+            if largest < _DONE and passed >= 8:
                 break
     return found
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arrays import Floats
 from .hypothesis import Hypothesis
-from .information import about_origin, edge_information, in_source_frame
+from .information import about_origin, edge_information, at_source
 from .rigid import inverse
 from .scans import Extent
 
@@ -121,7 +121,7 @@ def _edge_matrix(edge: Hypothesis, extents: Sequence[Extent], radius: float) -> 
     measured = edge.pose.copy()
     measured[:3, 3] += edge.pose[:3, :3] @ extents[edge.source].center - extents[edge.target].center
     units = np.diag([1.0] * 3 + [radius] * 3)
-    matrix = units @ in_source_frame(about_origin(about, center), measured) @ units
+    matrix = units @ at_source(about_origin(about, center), measured) @ units
     return np.asarray((matrix + matrix.T) / 2)
 
 

@@ -15,7 +15,7 @@ from .colors import Rows
 from .edges import Edge
 from .fuse import FusedCloud, fuse
 from .g2o import Graph, GraphEdge, write_g2o
-from .information import about_origin, in_source_frame
+from .information import about_origin, at_source
 from .open3d_graph import write_open3d
 from .output import save
 from .rigid import moved
@@ -28,9 +28,10 @@ class MultiwayResult:
     """The poses of many scans, and how far to trust them.
 
     Attributes:
-        scans: the verdict of each scan, in the order they were given: its pose, scan -> frame of
-            its model, the covariance of the pose, and why it was left out if it was.
-        edges: list of :class:`pyemtr.Edge`, one for each pair that was registered.
+        scans: list of :class:`pyemtr.multiway.ScanVerdict`, one for each scan, in the order they
+            were given: its pose, scan -> frame of its model, the covariance of the pose, and why
+            it was left out if it was.
+        edges: list of :class:`pyemtr.multiway.Edge`, one for each pair that was registered.
         models: indices of the scans of each model, ascending; the model of the lowest scan first.
             The frame of a model is that of its first scan.
         radius: the median radius of the scans, in their unit.
@@ -88,9 +89,7 @@ class MultiwayResult:
                 edge.target,
                 edge.source,
                 edge.transformation,
-                in_source_frame(
-                    about_origin(edge.information, edge.center_target), edge.transformation
-                ),
+                at_source(about_origin(edge.information, edge.center_target), edge.transformation),
             )
             for edge in self.edges
             if edge.taken and edge.source in members

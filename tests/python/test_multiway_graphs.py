@@ -10,7 +10,7 @@ import pytest
 from shapes import random_transformation
 
 from pyemtr.multiway import Graph, GraphEdge, read_g2o, read_open3d, write_g2o, write_open3d
-from pyemtr.multiway.information import about_origin, in_source_frame
+from pyemtr.multiway.information import about_origin, at_source
 from pyemtr.multiway.rigid import adjoint, angle, exponential, inverse
 
 
@@ -127,7 +127,7 @@ def test_information_keeps_what_a_motion_costs() -> None:
     after = before + np.cross(w, before - center) + v
     np.testing.assert_allclose(after, points @ moved[:3, :3].T + moved[:3, 3], atol=1e-8)
     cost = np.concatenate([w, v]) @ information @ np.concatenate([w, v])
-    carried = in_source_frame(about_origin(information, center), pose)
+    carried = at_source(about_origin(information, center), pose)
     assert m @ carried @ m == pytest.approx(cost, rel=1e-9)
 
 

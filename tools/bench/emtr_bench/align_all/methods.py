@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations
-from time import perf_counter
+from time import perf_counter, process_time
 
 import pyemtr
 
@@ -20,19 +20,21 @@ class Answer:
     poses: list[Array | None]  # scan -> model
     models: list[int | None]
     seconds: float
+    cpu: float  # seconds of all threads, which other programs do not change much
 
 
 Method = Callable[[Scene, int, int], Answer]  # with the threads and the seed
 
 
 def emtr(scene: Scene, threads: int, seed: int) -> Answer:
-    begin = perf_counter()
+    begin, cpu = perf_counter(), process_time()
     result = pyemtr.align_all(scene.clouds, threads=threads, seed=seed)
-    seconds = perf_counter() - begin
+    seconds, cpu = perf_counter() - begin, process_time() - cpu
     return Answer(
         [scan.pose if scan.placed else None for scan in result.scans],
         [scan.model for scan in result.scans],
         seconds,
+        cpu,
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-from time import perf_counter
+from time import perf_counter, process_time
 from types import SimpleNamespace
 from typing import Any
 
@@ -26,7 +26,7 @@ def open3d(scene: Scene, threads: int, seed: int) -> Answer:
     o3d = importlib.import_module("open3d")
     registration = o3d.pipelines.registration
     o3d.utility.random.seed(seed)
-    begin = perf_counter()
+    begin, cpu = perf_counter(), process_time()
     voxel = _VOXEL * radius_of(scene)
     clouds, features = [], []
     for points in scene.clouds:
@@ -62,17 +62,17 @@ def open3d(scene: Scene, threads: int, seed: int) -> Answer:
         registration.GlobalOptimizationConvergenceCriteria(),
         registration.GlobalOptimizationOption(1.5 * voxel, 0.25, 1.0, 0),
     )
-    seconds = perf_counter() - begin
+    seconds, cpu = perf_counter() - begin, process_time() - cpu
     poses = [None if pose is None else np.asarray(node.pose)
              for pose, node in zip(start, graph.nodes)]  # fmt: skip
-    return Answer(poses, [None if pose is None else 0 for pose in poses], seconds)
+    return Answer(poses, [None if pose is None else 0 for pose in poses], seconds, cpu)
 
 
 def kiss(scene: Scene, threads: int, seed: int) -> Answer:
     """The pairs of KISS-Matcher with emtr's loops and graph. It gives no confidence: a pair has the
     probability 0.9 with 20 final inliers or more, else 0.1."""
     matcher_module = importlib.import_module("kiss_matcher")
-    begin = perf_counter()
+    begin, cpu = perf_counter(), process_time()
     scans = Scans(scene.clouds, None, 1000)
     unit = 1.0 / (_VOXEL * radius_of(scene)) * 0.3  # its default voxel is 0.3
     clouds = [np.asarray(unit * (cloud - cloud.mean(axis=0)), dtype=np.float32)
@@ -95,8 +95,9 @@ def kiss(scene: Scene, threads: int, seed: int) -> Answer:
     stages.group()
     stages.finish(True)
     result = stages.result(perf_counter() - begin)
-    return Answer([scan.pose if scan.placed else None for scan in result.scans],
-                  [scan.model for scan in result.scans], result.seconds)  # fmt: skip
+    poses = [scan.pose if scan.placed else None for scan in result.scans]
+    models = [scan.model for scan in result.scans]
+    return Answer(poses, models, result.seconds, process_time() - cpu)
 
 
 def radius_of(scene: Scene) -> float:

@@ -18,7 +18,7 @@ from .scenes import Scene, generated, scenes_of
 
 HEAD = (
     f"{'scene':<24}{'method':<8}{'scans':>6}{'judged':>8}{'precise':>9}{'right':>7}{'wrong':>7}"
-    f"{'degrees':>9}{'radii':>9}{'seconds':>9}"
+    f"{'degrees':>9}{'radii':>9}{'seconds':>9}{'cpu':>9}"
 )
 
 
@@ -80,11 +80,12 @@ def one_row(
     judged = judge(scene, answer.poses, answer.models)
     placed = sum(model is not None for model in answer.models)
     row = {"scene": scene.name, "method": name, "count": len(scene.clouds), "placed": placed}
-    return {**row, **asdict(judged), "seconds": answer.seconds}
+    return {**row, **asdict(judged), "seconds": answer.seconds,
+            "cpu": answer.cpu}  # fmt: skip
 
 
 def total(rows: list[dict[str, Any]]) -> dict[str, Any]:
-    names = ("count", "scans", "precise", "right", "wrong", "seconds")
+    names = ("count", "scans", "precise", "right", "wrong", "seconds", "cpu")
     sums = {name: sum(row[name] for row in rows) for name in names}
     nothing = float("nan")
     return {"scene": "all", "method": rows[0]["method"], **sums, "degrees": nothing,
@@ -96,5 +97,5 @@ def line(row: dict[str, Any]) -> str:
     return (
         f"{row['scene']:<24}{row['method']:<8}{row['count']:>6}{row['scans']:>8}"
         f"{share * row['precise']:>8.1f}%{share * row['right']:>6.0f}%{row['wrong']:>7}"
-        f"{row['degrees']:>9.3f}{row['radii']:>9.4f}{row['seconds']:>9.2f}"
+        f"{row['degrees']:>9.3f}{row['radii']:>9.4f}{row['seconds']:>9.2f}{row['cpu']:>9.2f}"
     )
