@@ -19,7 +19,7 @@ from pyemtr.multiway.picture import model_picture
 
 DOCS = Path(__file__).resolve().parent
 VIEWS = [(45 * k, 18 if k % 2 else 32) for k in range(8)]  # azimuth and elevation, degrees
-COLORS = 200
+COLORS = 128
 WIDTH = 1400  # pixels
 
 

@@ -85,7 +85,7 @@ def align_all(
     _require_scipy()
     if preset == "paper":
         raise ValueError('preset: "paper" has no confidence, which the choice of edges needs')
-    make_settings(preset, dict(settings), seed=seed)
+    make_settings(preset, {**settings}, seed=seed)  # type: ignore[dict-item]
     workers = thread_setting(threads) or os.cpu_count() or 1
     scans = Scans(clouds, names, as_mesh_points(mesh_points))
     report = _reporter(callback)

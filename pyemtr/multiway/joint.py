@@ -16,7 +16,7 @@ from .surface import Surface
 
 _SAMPLE = 2000  # points of a scan that look for the planes of the others
 _ROUNDS = 14
-_FARTHEST, _NEAREST = 0.04, 0.01  # how far a plane may be in the first and the last rounds, radii
+_FARTHEST, _NEAREST = 0.03, 0.006  # how far a plane may be in the first and the last rounds, radii
 _PARALLEL = 0.7  # least cosine between the normals of a point and its plane
 _SPACINGS = 1.5  # of the other scan, within which a nearest point is a neighbor
 _FEWEST = 50  # points of a pair of scans that are near each other
@@ -29,6 +29,7 @@ def refine_jointly(
     radius: float,
     reference: int,
     threads: int,
+    weights: Mapping[tuple[int, int], float],
 ) -> dict[int, Floats]:
     """Returns poses of which the surfaces of all scans lie on each other best.
 
@@ -42,6 +43,8 @@ def refine_jointly(
         radius: the unit of how far a plane may be.
         reference: a scan of ``poses``.
         threads: pairs of scans that are matched at a time; the poses do not depend on it.
+        weights: of pairs of scans, in either order. Scans that overlap little pull each other to a
+            wrong place, so others should weigh more; pairs that are not there are left out.
     """
     scans = sorted(poses)
     found = {scan: pose.copy() for scan, pose in poses.items()}
@@ -54,17 +57,29 @@ def refine_jointly(
             reach = radius * max(_FARTHEST * (_NEAREST / _FARTHEST) ** (passed / 8), _NEAREST)
             jobs = [
                 workers.submit(_equations, a, b, found, samples, surfaces, trees, reach, middle)
-                for a in scans
-                for b in scans
-                if a != b
+                for pair in sorted(weights)
+                for a, b in (pair, pair[::-1])
             ]
-            step = _step(scans, reference, [job.result() for job in jobs])
+            step = _step(scans, reference, [_weighed(job.result(), weights) for job in jobs])
             for scan, motion in step.items():
                 found[scan] = orthonormal(_applied(motion, middle) @ found[scan])
             largest = max((float(np.abs(motion).max()) for motion in step.values()), default=0.0)
             if largest < _DONE and passed >= 8:
                 break
     return found
+
+
+_Equations = tuple[int, int, Floats, Floats]  # a, b, and the normal equations
+
+
+def _weighed(
+    equations: _Equations | None, weights: Mapping[tuple[int, int], float]
+) -> _Equations | None:
+    if equations is None:
+        return None
+    a, b, block, right = equations
+    weight = weights[a, b] if (a, b) in weights else weights[b, a]
+    return a, b, weight * block, weight * right
 
 
 def _sample(surface: Surface) -> tuple[Floats, Floats]:
@@ -81,7 +96,7 @@ def _equations(
     trees: Mapping[int, Any],
     reach: float,
     middle: Extent,
-) -> tuple[int, int, Floats, Floats] | None:
+) -> _Equations | None:
     """Returns the normal equations of the points of a on the planes of b, (6, 6) and (6,), of the
     motion of a against b; None where the scans are not near each other."""
     points, normals = samples[a]
@@ -112,7 +127,7 @@ def _equations(
 
 
 def _step(
-    scans: list[int], reference: int, equations: list[tuple[int, int, Floats, Floats] | None]
+    scans: list[int], reference: int, equations: list[_Equations | None]
 ) -> dict[int, Floats]:
     """Returns the motion (6,) of each scan but the reference: rotation, translation in radii."""
     place = {scan: 6 * i for i, scan in enumerate(scans)}

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arrays import Floats
 from .hypothesis import Hypothesis
-from .information import about_origin, edge_information, at_source
+from .information import about_origin, at_source, edge_information
 from .rigid import inverse
 from .scans import Extent
 

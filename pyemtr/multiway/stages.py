@@ -12,6 +12,7 @@ from .comparison import agree
 from .edges import all_edges
 from .grouping import LIKELY, Group, Grouping
 from .hypothesis import Hypothesis, hypotheses_of
+from .information import precision
 from .joint import refine_jointly
 from .loops import loop_probabilities
 from .pairwise import Pair
@@ -97,8 +98,11 @@ class Stages:
             self.covariances.update(solved.covariances)
             if refine:
                 surfaces = {scan: self._scans.surface(scan) for scan in model.poses}
+                weights = {
+                    (one.source, one.target): precision(one, self._radius) for one in model.edges
+                }
                 model.poses = refine_jointly(
-                    model.poses, surfaces, self._radius, reference, self._workers
+                    model.poses, surfaces, self._radius, reference, self._workers, weights
                 )
 
     def result(self, seconds: float) -> MultiwayResult:

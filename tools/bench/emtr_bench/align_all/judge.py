@@ -22,7 +22,7 @@ class Judged:
     Attributes:
         scans: how many there are.
         precise, right: how many are placed so.
-        wrong: how many are placed and are not right.
+        wrong: how many are placed and are not right against the others of their chain.
         degrees, radii: the median errors of those that are right; NaN where none is.
     """
 
@@ -36,21 +36,24 @@ class Judged:
 
 def judge(scene: Scene, poses: list[Array | None], models: list[int | None]) -> Judged:
     """Judges poses, scan -> model, and which model each scan is in; None where it is left out."""
-    scans = precise = right = placed = 0
+    scans = precise = right = wrong = 0
     errors: list[tuple[float, float]] = []
     for chain in sorted(set(scene.chain)):
         members = [i for i, one in enumerate(scene.chain) if one == chain]
         if len(members) < 2:
             continue
         scans += len(members)
-        placed += sum(models[i] is not None for i in members)
         found = [_against(scene, poses, models, members, first) for first in members]
         best = max(found, key=lambda one: _count(one, PRECISE) + 1e-3 * _count(one, RIGHT))
         precise += _count(best, PRECISE)
-        right += _count(best, RIGHT)
+        good = _count(best, RIGHT)
+        right += good
+        # One of a chain is always where it is; nothing tells that it is wrong.
+        placed = sum(models[i] is not None for i in members)
+        wrong += max(placed - max(good, 1), 0)
         errors += [e for e in best if _within(e, RIGHT) and e != (0.0, 0.0)]
     medians = np.median(np.array(errors), axis=0) if errors else np.full(2, np.nan)
-    return Judged(scans, precise, right, placed - right, float(medians[0]), float(medians[1]))
+    return Judged(scans, precise, right, wrong, float(medians[0]), float(medians[1]))
 
 
 def _against(

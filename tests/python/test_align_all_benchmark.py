@@ -1,0 +1,77 @@
+"""The benchmark of many scans: its scenes, and how it judges."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from shapes import random_transformation
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools" / "bench"))
+pytest.importorskip("plyfile", reason="plyfile is not installed")
+
+from emtr_bench.align_all.judge import judge
+from emtr_bench.align_all.scenes import Scene, generated, scenes_of
+from emtr_bench.layout import read_folder, write_pair
+
+
+def made_scene(chain: list[int]) -> Scene:
+    rng = np.random.default_rng(1)
+    clouds = [rng.normal(size=(50, 3)) for _ in chain]
+    return Scene("made", clouds, [random_transformation(rng) for _ in chain], chain)
+
+
+def test_a_scan_is_judged_against_its_chain() -> None:
+    scene = made_scene([0, 0, 0, 3, 3, 5])
+    frames = [random_transformation(np.random.default_rng(9))] * 6  # any frame of the model
+    poses = [frame @ pose for frame, pose in zip(frames, scene.truth)]
+    judged = judge(scene, poses, [0] * 6)
+    assert (judged.scans, judged.precise, judged.right, judged.wrong) == (5, 5, 5, 0)
+    off = np.eye(4)
+    off[:2, :2] = [[np.cos(0.05), -np.sin(0.05)], [np.sin(0.05), np.cos(0.05)]]  # 2.9 degrees
+    judged = judge(scene, [poses[0], poses[1], poses[2] @ off, *poses[3:]], [0] * 6)
+    assert (judged.precise, judged.right, judged.wrong) == (4, 5, 0)
+    judged = judge(scene, [*poses[:2], np.eye(4), *poses[3:]], [0] * 6)
+    assert (judged.precise, judged.right, judged.wrong) == (4, 4, 1)
+
+
+def test_scans_that_are_left_out_are_not_right_and_not_wrong() -> None:
+    scene = made_scene([0, 0, 0, 3, 3])
+    poses = [*scene.truth[:2], None, scene.truth[3], None]
+    judged = judge(scene, poses, [0, 0, None, 0, None])
+    assert (judged.scans, judged.right, judged.wrong) == (5, 2, 0)
+
+
+def test_two_models_do_not_place_scans_against_each_other() -> None:
+    scene = made_scene([0, 0])
+    judged = judge(scene, list(scene.truth), [0, 1])
+    assert (judged.right, judged.wrong) == (0, 1)
+
+
+def test_pairs_that_share_files_make_a_scene(tmp_path: Path) -> None:
+    rng = np.random.default_rng(4)
+    views = [rng.normal(size=(40, 3)).astype(np.float32).astype(float) for _ in range(3)]
+    T = [random_transformation(rng) for _ in range(2)]
+    write_pair(tmp_path / "things" / "cup_1_0", views[1], views[0], T[0])
+    write_pair(tmp_path / "things" / "cup_2_1", views[2], views[1], T[1])
+    write_pair(tmp_path / "things" / "jug_1_0", views[1], views[0], T[0])
+    (scene,) = scenes_of(read_folder(tmp_path), seed=0)  # the jug has two scans alone
+    assert scene.name == "things/cup" and len(scene.clouds) == 3 and set(scene.chain) == {0}
+    # Each scan was moved, and the truth with it.
+    for cloud, truth, view, pose in zip(
+        scene.clouds, scene.truth, [views[1], views[0], views[2]],
+        [np.eye(4), np.linalg.inv(T[0]), T[1]],
+    ):  # fmt: skip
+        np.testing.assert_allclose(
+            cloud @ truth[:3, :3].T + truth[:3, 3], view @ pose[:3, :3].T + pose[:3, 3], atol=1e-6
+        )
+        assert np.abs(cloud - view).max() > 0.1
+
+
+def test_the_generated_scene_is_the_same_for_a_seed() -> None:
+    one, other = generated(3, {1: 2, 2: 1}), generated(3, {1: 2, 2: 1})
+    assert one.chain == [1, 1, 2]
+    assert all(np.array_equal(a, b) for a, b in zip(one.clouds, other.clouds))
