@@ -85,7 +85,7 @@ def solve(
     found = {}
     for scan in poses:
         pose = _scaled(solved.atPose3(scan).matrix(), 1 / radius) @ inverse(frames[scan])
-        found[scan] = inverse(first) @ pose
+        found[scan] = np.eye(4) if scan == reference else inverse(first) @ pose
     if not covariances:
         return Solved(found, {})
     marginals = gtsam.Marginals(graph, solved)

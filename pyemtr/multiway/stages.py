@@ -65,7 +65,7 @@ class Stages:
 
     def second_tries(self, scores: Mapping[Pair, float] | None) -> list[Pair]:
         """Returns pairs of scans of different groups that deserve a longer search: those of which
-        most is known, or the vote's next ones.
+        most is known, or the vote's next ones, which were not tried yet.
 
         Args:
             scores: of all pairs by the vote; None where all pairs have been tried.
@@ -73,6 +73,8 @@ class Stages:
         where = {scan: i for i, group in enumerate(self._groups) for scan in group.poses}
         between: dict[tuple[int, int], list[_Valued]] = {}
         for pair in scores or self._found:
+            if scores and pair in self._found:
+                continue
             groups = where[pair[0]], where[pair[1]]
             if groups[0] != groups[1]:
                 value = (scores[pair], 0.0) if scores else self._promise(pair)

@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import numpy as np
-import pytest
-from shapes import random_transformation
-
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools" / "bench"))
-pytest.importorskip("plyfile", reason="plyfile is not installed")
-
 from emtr_bench.align_all.judge import judge
 from emtr_bench.align_all.scenes import Scene, generated, scenes_of
 from emtr_bench.layout import read_folder, write_pair
+from shapes import random_transformation
 
 
 def made_scene(chain: list[int]) -> Scene:

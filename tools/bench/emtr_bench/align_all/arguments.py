@@ -18,7 +18,8 @@ fewer than three scans are left out.
 
 --method open3d takes Open3D's multiway registration (FPFH, RANSAC and ICP of all pairs, as its
 tutorial has it, and its optimization of the pose graph), and kiss the pairs of KISS-Matcher with
-the pose graph of emtr. They run where the packages open3d and kiss_matcher are installed, as in build/venv-peers.
+the pose graph of emtr. They run where the packages open3d and kiss_matcher are installed,
+as in build/venv-peers.
 
 exit code: 0; 1 when a scan of emtr is placed wrong; 2 when nothing could be run."""
 
