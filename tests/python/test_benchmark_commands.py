@@ -19,6 +19,7 @@ OF_PAIRS = (
     "fit_confidence",
     "matches",
     "peers",
+    "reproduce",
     "stages",
 )
 

@@ -1,0 +1,1 @@
+"""The experiments of the paper over the user's data: runs, tables, figures, one report."""

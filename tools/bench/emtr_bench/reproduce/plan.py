@@ -1,0 +1,92 @@
+"""Which runs the reproduction is made of: sections, and the methods of each."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from evolving_methods.methods import CONTROLS, METHODS, Method
+
+from ..pairs import Pair
+
+OURS = "EMTR-SSC"
+DENSE_ONLY = "EMTR-SSC without sparse-to-dense"
+NO_COMPLEMENT = "EMTR-SSC without complement"
+NO_TRANSFER = "EMTR-SSC without transfer"
+PYTHON, ADAPTIVE = "EMTR-SSC in Python", "EMTR-SSC in Python, adaptive"
+DEFAULT, FAST = "emtr default", "emtr fast"
+
+#: Methods of section `library`: preset and settings.
+LIBRARY: dict[str, tuple[str, dict[str, Any]]] = {
+    OURS: ("paper", {}),
+    DENSE_ONLY: ("paper", {"sparse_to_dense": False}),
+    NO_COMPLEMENT: ("paper", {"complement": False}),
+    NO_TRANSFER: ("paper", {"transfer": False}),
+    DEFAULT: ("default", {}),
+    FAST: ("fast", {}),
+}
+RATES = tuple(round(0.1 * i, 1) for i in range(11))  # rmp
+SWITCHES = tuple(round(0.1 * i, 1) for i in range(10))  # delta
+SWEEP_ROW = "Bunny"  # that the paper varies rmp and delta on
+
+
+@dataclass(frozen=True)
+class Work:
+    """Runs on one pair and motion, which share what was computed of them."""
+
+    pair: Pair
+    index: int
+    runs: tuple[tuple[str, str], ...]  # section and method
+
+    def without(self, done: Sequence[tuple[str, str]]) -> Work:
+        return Work(self.pair, self.index, tuple(run for run in self.runs if run not in done))
+
+
+@dataclass(frozen=True)
+class Context:
+    """What all runs share; sent to the processes that run them."""
+
+    seed: int = 0
+    threads: int = 1
+    user_methods: tuple[Method, ...] = ()
+    traditional: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def methods(self) -> dict[str, Method]:
+        return {method.name: method for method in (*METHODS, *CONTROLS, *self.user_methods)}
+
+
+def rate_name(value: float) -> str:
+    return f"rmp {value:.1f}"
+
+
+def switch_name(value: float) -> str:
+    return f"delta {value:.1f}"
+
+
+def is_swept(pair: Pair, pairs: Sequence[Pair]) -> bool:
+    """The pair of the paper's sweep, or the first where there is none."""
+    rows = [p for p in pairs if p.paper_row == SWEEP_ROW]
+    return pair == (rows or pairs)[0]
+
+
+def runs_of(
+    sections: Sequence[str], pair: Pair, pairs: Sequence[Pair], context: Context,
+    names: dict[str, Sequence[str]],
+) -> list[tuple[str, str]]:  # fmt: skip
+    """The runs of one pair and motion. `names` are the methods of the sections that know theirs."""
+    known: dict[str, Sequence[str]] = {
+        "library": list(LIBRARY),
+        "evolving": list(context.methods),
+        "evaluations": [method.name for method in METHODS],
+        "tasks": [PYTHON, ADAPTIVE],
+        "sweep": [rate_name(v) for v in RATES] + [switch_name(v) for v in SWITCHES],
+        **names,
+    }
+    found = []
+    for section in sections:
+        if section == "sweep" and not is_swept(pair, pairs):
+            continue
+        found += [(section, name) for name in known.get(section, ())]
+    return found

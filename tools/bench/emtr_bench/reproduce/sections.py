@@ -1,0 +1,10 @@
+"""What the reproduction is made of; the standard library alone."""
+
+#: Name: what it is, as --help says it.
+SECTIONS = {
+    "library": "EMTR-SSC as published, with parts off, and the presets default and fast",
+    "evolving": "the eight evolving methods and two controls, with EMTR-SSC's queries",
+    "evaluations": "the same with its evaluations, each on the dense clouds",
+    "tasks": "EMTR-SSC in Python: alpha against beta, and rmp and delta adapted",
+    "sweep": "success and errors over rmp and delta",
+}
