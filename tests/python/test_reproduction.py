@@ -150,3 +150,112 @@ def test_the_paper_has_one_set_of_figures():
 
 def test_the_command_is_a_program():
     assert (REPOSITORY / "tools" / "bench" / "reproduce").stat().st_mode & 0o111
+
+
+def test_a_pair_of_the_modelnet_protocol():
+    from emtr_bench.protocol import apply
+    from emtr_bench.reproduce import modelnet
+
+    first, second = (modelnet.made(f"{modelnet.MADE_NAME} {i}") for i in (1, 2))
+    assert len(first[0]) != len(second[0]) or not np.allclose(first[0], second[0])
+    source, target, T = modelnet.pair(*first, modelnet.CLEAN, 3)
+    assert source.shape == target.shape == (1024, 3) and np.linalg.norm(source, axis=1).max() <= 1
+    placed = apply(T, source)
+    assert np.allclose(sorted(map(tuple, placed)), sorted(map(tuple, target)))
+    source, target, T = modelnet.pair(*first, modelnet.NOISY, 3)
+    distances = np.linalg.norm(apply(T, source)[:, None] - target[None], axis=2).min(axis=1)
+    assert 0.005 < np.median(distances) < 0.1 and distances.max() < 0.3
+    assert np.abs(T[:3, 3]).max() <= 0.5
+
+
+def test_shapes_of_modelnet_are_the_unseen_ones_of_forty(tmp_path):
+    from emtr_bench.reproduce import modelnet
+
+    for i in range(40):
+        for part, count in (("train", 1), ("test", 3)):
+            folder = tmp_path / f"category{i:02}" / part
+            folder.mkdir(parents=True)
+            for k in range(count):
+                (folder / f"category{i:02}_{k:04}.off").write_text("OFF")
+    found = modelnet.shapes(tmp_path, 1266)
+    assert len(found) == 60 and all("/test/" in path for path in found)
+    assert "category20" in found[0] and "category39" in found[-1]
+    assert len(modelnet.shapes(tmp_path, 7)) == 7
+    with pytest.raises(DataError, match="CATEGORY/test/SHAPE"):
+        modelnet.shapes(tmp_path / "category00" / "train", 5)
+
+
+@pytest.fixture(scope="module")
+def relief():
+    """Two clouds of one surface, and a pyemtr.Problem of them as preset paper sees them."""
+    import pyemtr
+
+    rng = np.random.default_rng(1)
+    u, v = rng.uniform(-1, 1, (2, 6000))
+    z = 0.3 * np.sin(3 * u + v) * np.cos(2 * v) + 0.2 * np.exp(-8 * ((u - 0.3) ** 2 + v**2))
+    target = np.column_stack([u, v, z])
+    source = target[u > -0.6] @ np.diag([1.0, -1.0, -1.0]) + [5, 6, 7]
+    return source, target, pyemtr.Problem(source, target, preset="paper", threads=1)
+
+
+def test_the_fitness_in_python_is_the_librarys(relief):
+    from emtr_bench.reproduce import precision
+
+    source, target, problem = relief
+    fitness = precision.chamfer(problem, source, target, "centroids", "centroids", problem.c_dense)
+    T = np.diag([1.0, -1.0, -1.0, 1.0])
+    T[:3, 3] = -T[:3, :3] @ [5, 6, 7]
+    for particle in (problem.to_particle(T), np.array([0.3, 0.2, -0.1, 0.02, 0.0, 0.05])):
+        assert fitness(particle) == pytest.approx(problem.evaluate_alpha(particle), rel=1e-4)
+    whole = precision.chamfer(problem, source, target, "centroids", "whole", problem.c_dense)
+    assert whole(problem.to_particle(T)) < fitness(problem.to_particle(T))
+
+
+def test_farthest_points_are_far_apart():
+    from emtr_bench.reproduce import precision
+
+    points = np.random.default_rng(0).random((500, 3))
+    chosen = precision.farthest(points, 20)
+    distances = np.linalg.norm(chosen[:, None] - chosen[None], axis=2) + np.eye(20)
+    assert len(np.unique(chosen, axis=0)) == 20 and distances.min() > 0.3
+
+
+def test_methods_drive_the_librarys_tasks(relief):
+    from emtr_bench.reproduce import cases
+    from evolving_methods.problem import Problem
+
+    _, _, problem = relief
+    tasks = cases.tasks(problem)
+    limit = cases.budget(problem, cases.EQUAL_QUERIES) // 20
+    for method in METHODS[::3]:
+        run = Problem([tasks[name] for name in method.tasks], limit, 4000)
+        before = problem.queries
+        method.load()(run, np.random.default_rng(0))
+        assert problem.queries - before == run.used <= limit
+    assert cases.budget(problem, cases.EQUAL_EVALUATIONS) > 1.8 * 20 * limit
+
+
+def test_what_is_not_there_is_told(monkeypatch, tmp_path):
+    from emtr_bench.reproduce import traditional
+
+    monkeypatch.setenv("EMTR_BUILD_DIR", str(tmp_path))
+    monkeypatch.setattr(traditional, "FOLDER", tmp_path)
+    found, missing = traditional.there()
+    assert found == [] and "EMTR_BUILD_BENCH" in missing[0] and "tools/bench/peers" in missing[1]
+
+
+def test_a_report_of_runs(tmp_path):
+    from emtr_bench.reproduce import report
+
+    shapes = [record("modelnet", f"default, {kind}", "made shape 1", row="", tier="modelnet")
+              for kind in ("clean", "noisy")]  # fmt: skip
+    about = {"command": "reproduce", "motions": "2 motions each", "made": "by a test",
+             "missing": ["FGR: no Open3D"]}  # fmt: skip
+    path = report.write(tmp_path, some_runs() + shapes, [], about)
+    text = path.read_text()
+    assert "6 pairs, 2 motions each" in text and "* Not run, FGR: no Open3D" in text
+    assert "| PointNetLK (cited) | - (0.847)" in text and "| emtr default, all | 0.500 |" in text
+    for line in text.splitlines():
+        if line.startswith("!["):
+            assert (tmp_path / line.partition("](")[2].rstrip(")")).is_file()
+    assert (tmp_path / "tables" / "sparse_to_dense.csv").read_text().startswith("data,E_R with,")

@@ -40,6 +40,14 @@ def parser() -> argparse.ArgumentParser:
         help="these sections only (default: all)")  # fmt: skip
     add("--method", action="append", default=[], metavar="MODULE:FUNCTION",
         help="one more evolving method, of your own; may be given again")  # fmt: skip
+    add(
+        "--modelnet",
+        type=Path,
+        metavar="DIR",
+        help="folder of ModelNet40, CATEGORY/test/SHAPE.off (default: shapes that are made)",
+    )
+    add("--shapes", type=positive, default=1266, metavar="N",
+        help="shapes of ModelNet40, or made ones (default: 1266)")  # fmt: skip
     add("--transforms", type=positive, default=20, metavar="N", help="motions a pair (default: 20)")
     add("--seed", type=natural, default=0, help="run i of a pair has seed SEED + i (default: 0)")
     add("--jobs", type=positive, default=2, help="processes side by side (default: 2)")

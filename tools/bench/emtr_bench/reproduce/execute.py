@@ -11,7 +11,7 @@ from typing import Any
 from evolving_methods import emtr_ssc
 
 from ..jobs import side_by_side
-from . import cases, plan
+from . import cases, functions, modelnet, plan, precision, traditional
 from .plan import Context, Work
 from .run_log import Record, RunLog
 
@@ -84,10 +84,30 @@ def _tasks(method: str, work: Work, context: Context) -> dict[str, Any]:
     )
 
 
+def _traditional(method: str, work: Work, context: Context) -> dict[str, Any]:
+    return traditional.run(method, work.pair, work.index, context.seed + work.index)
+
+
+def _modelnet(method: str, work: Work, context: Context) -> dict[str, Any]:
+    return modelnet.run(method, str(work.pair.folder), context.seed, context.threads)
+
+
+def _precision(method: str, work: Work, context: Context) -> dict[str, Any]:
+    return precision.run(method, work.pair, work.index, context.seed + work.index, context.threads)
+
+
+def _functions(method: str, work: Work, context: Context) -> dict[str, Any]:
+    return functions.run(context.methods[method], work.pair.name, context.seed + work.index)
+
+
 _SECTIONS: dict[str, Callable[[str, Work, Context], dict[str, Any]]] = {
     "library": _library,
     "evolving": functools.partial(_evolving, kind=cases.EQUAL_QUERIES),
     "evaluations": functools.partial(_evolving, kind=cases.EQUAL_EVALUATIONS),
     "tasks": _tasks,
     "sweep": _sweep,
+    "traditional": _traditional,
+    "modelnet": _modelnet,
+    "precision": _precision,
+    "functions": _functions,
 }

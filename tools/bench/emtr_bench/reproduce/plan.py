@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from evolving_methods.methods import CONTROLS, METHODS, Method
 
 from ..pairs import Pair
+from . import functions, modelnet, precision
 
 OURS = "EMTR-SSC"
 DENSE_ONLY = "EMTR-SSC without sparse-to-dense"
@@ -50,7 +52,6 @@ class Context:
     seed: int = 0
     threads: int = 1
     user_methods: tuple[Method, ...] = ()
-    traditional: dict[str, Any] = field(default_factory=dict)
 
     @property
     def methods(self) -> dict[str, Method]:
@@ -81,6 +82,7 @@ def runs_of(
         "evolving": list(context.methods),
         "evaluations": [method.name for method in METHODS],
         "tasks": [PYTHON, ADAPTIVE],
+        "precision": precision.METHODS,
         "sweep": [rate_name(v) for v in RATES] + [switch_name(v) for v in SWITCHES],
         **names,
     }
@@ -90,3 +92,25 @@ def runs_of(
             continue
         found += [(section, name) for name in known.get(section, ())]
     return found
+
+
+def shape_works(folder: Path | None, most: int, presets: Sequence[str]) -> list[Work]:
+    """The runs on shapes of ModelNet40, or on made ones. Raises DataError."""
+    runs = tuple(("modelnet", f"{preset}, {kind}")
+                 for preset in presets for kind in (modelnet.CLEAN, modelnet.NOISY))  # fmt: skip
+    return [
+        Work(Pair(Path(shape).stem, "modelnet", Path(shape)), 0, runs)
+        for shape in modelnet.shapes(folder, most)
+    ]
+
+
+def function_works(context: Context, seeds: int) -> list[Work]:
+    """The runs on functions with known optima; a pair of tasks is no pair of clouds, but has its
+    place in the log."""
+    runs = tuple(("functions", name) for name in context.methods
+                 if name not in {m.name for m in context.user_methods})  # fmt: skip
+    return [
+        Work(Pair(name, "functions", Path()), seed, runs)
+        for name in functions.NAMES
+        for seed in range(seeds)
+    ]

@@ -15,13 +15,14 @@ import pyemtr
 from .. import machine
 from ..data import are_generated, chosen, related
 from ..pairs import DataError, Pair
-from . import plan, report
+from . import functions, plan, report, traditional
 from .execute import execute
 from .plan import Context, Work
 from .run_log import RunLog
 from .sections import SECTIONS
 
-QUICK_PAIRS, QUICK_TRANSFORMS = 3, 2
+QUICK_PAIRS, QUICK_TRANSFORMS, QUICK_SHAPES = 3, 2, 4
+SHAPE_PRESETS = ("paper", "default", "fast")
 #: What a smoke run leaves out: what only repeats another method with other numbers.
 SMOKE_SECTIONS = ("library", "evolving", "tasks", "sweep")
 SMOKE_SWEEP = (plan.rate_name(0.0), plan.rate_name(0.7), plan.switch_name(0.6))
@@ -47,20 +48,34 @@ def _reproduce(arguments: argparse.Namespace) -> int:
     )
     for method in context.user_methods:
         method.load()
+    notes = []
+    if "traditional" in sections:
+        names["traditional"], notes = traditional.there()
+        for note in notes:
+            print(f"not run, {note}", flush=True)
     works = [
         Work(pair, index, tuple(plan.runs_of(sections, pair, pairs, context, names)))
         for pair in pairs
         for index in range(transforms)
     ]
+    small = arguments.quick or arguments.smoke
+    if "modelnet" in sections:
+        shapes = min(arguments.shapes, QUICK_SHAPES) if small else arguments.shapes
+        works += plan.shape_works(arguments.modelnet, shapes, SHAPE_PRESETS)
+    if "functions" in sections:
+        works += plan.function_works(context, 1 if small else functions.SEEDS)
     options = {"seed": arguments.seed, "threads": arguments.threads, "emtr": pyemtr.__version__}
-    print(f"{sum(len(work.runs) for work in works)} runs of {len(pairs)} pairs, {transforms} "
-          f"motions each, {arguments.jobs} at a time", flush=True)  # fmt: skip
+    print(
+        f"{sum(len(work.runs) for work in works)} runs: {len(pairs)} pairs, {transforms} motions "
+        f"each; {arguments.jobs} at a time",
+        flush=True,
+    )
     with closing(RunLog(arguments.out / "runs.jsonl", options)) as log:
         execute(works, context, log, arguments.jobs)
         wanted = {(*run, work.pair.name, work.index) for work in works for run in work.runs}
         records = [r for r in log.records
                    if (r["section"], r["method"], r["pair"], r["index"]) in wanted]  # fmt: skip
-    about = describe(arguments, pairs, transforms)
+    about = {**describe(arguments, pairs, transforms), "missing": notes}
     path = report.write(arguments.out, records, pairs, about)
     print(f"wrote {path}, its tables and its figures")
     if arguments.page:

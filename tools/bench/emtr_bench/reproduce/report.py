@@ -9,7 +9,7 @@ from typing import Any
 
 from ..pairs import Pair
 from ..whole_file import write_whole
-from . import claims, differences, figures, scenes, tables
+from . import claims, differences, figures, more_tables, scenes, tables
 from .run_log import Record
 from .table import Table
 
@@ -41,6 +41,7 @@ def write_page(path: Path, records: Sequence[Record], about: dict[str, Any]) -> 
 
 def all_tables(records: Sequence[Record]) -> list[Table]:
     found = tables.made(records)
+    found += [table for make in more_tables.ALL if (table := make(records)) is not None]
     tests = claims.significance(records)
     return [*found, tests] if tests else found
 
@@ -50,7 +51,8 @@ def page(
     drawn: dict[str, tuple[str, Path]], about: dict[str, Any],
     pictures: Sequence[tuple[str, Path]],
 ) -> str:  # fmt: skip
-    pairs = len({r["pair"] for r in records})
+    clouds = [r for r in records if r["tier"] not in ("modelnet", "functions")]
+    pairs = len({r["pair"] for r in clouds})
     lines = [
         f"# {title}", "",
         "Wu et al., *Evolutionary Multitasking with Solution Space Cutting for Point Cloud "
@@ -58,9 +60,10 @@ def page(
         "figure is in parentheses behind ours; ours is a mean, with a standard deviation where "
         "the paper has one.", "",
         "```text", about["command"], "```", "",
-        f"{len(records)} runs of {pairs} pairs, {about['motions']}; {about['made']}.", "",
+        f"{len(records)} runs; {pairs} pairs, {about['motions']}; {about['made']}.", "",
     ]  # fmt: skip
-    lines += ["## What differs, and why", "", *differences.text(records, made), ""]
+    lines += ["## What differs, and why", "", *differences.text(records, made)]
+    lines += [f"* Not run, {note}" for note in about["missing"]] + [""]
     lines += ["## Tables", ""]
     for table in made:
         lines += [f"### {table.title}", "", table.markdown(), ""]

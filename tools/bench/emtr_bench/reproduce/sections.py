@@ -7,4 +7,8 @@ SECTIONS = {
     "evaluations": "the same with its evaluations, each on the dense clouds",
     "tasks": "EMTR-SSC in Python: alpha against beta, and rmp and delta adapted",
     "sweep": "success and errors over rmp and delta",
+    "traditional": "ICP, NDT and TrICP after RANSAC (PCL), and FGR (Open3D), where they are there",
+    "modelnet": "the ModelNet40 protocol, on --modelnet or on shapes that are made",
+    "precision": "readings of what the paper leaves open, and their errors",
+    "functions": "the evolving methods on functions with known optima",
 }
