@@ -15,7 +15,14 @@ from evolving_methods.methods import METHODS
 
 
 def record(section, method, pair="bunny", index=0, row="Bunny", **figures):
-    values = {"E_R": 0.5, "E_t": 0.01, "seconds": 1.0, "evolution_seconds": 0.5, "queries": 10**7}
+    values = {
+        "E_R": 0.5,
+        "E_t": 0.01,
+        "seconds": 1.0,
+        "cpu": 1.0,
+        "cpu_search": 0.5,
+        "queries": 10**7,
+    }
     return {"section": section, "method": method, "pair": pair, "index": index, "row": row,
             "tier": "paper", **values, **figures}  # fmt: skip
 
@@ -250,7 +257,7 @@ def test_a_report_of_runs(tmp_path):
     shapes = [record("modelnet", f"default, {kind}", "made shape 1", row="", tier="modelnet")
               for kind in ("clean", "noisy")]  # fmt: skip
     about = {"command": "reproduce", "motions": "2 motions each", "made": "by a test",
-             "missing": ["FGR: no Open3D"]}  # fmt: skip
+             "missing": ["FGR: no Open3D"], "planned": 50}  # fmt: skip
     path = report.write(tmp_path, some_runs() + shapes, [], about)
     text = path.read_text()
     assert "6 pairs, 2 motions each" in text and "* Not run, FGR: no Open3D" in text
@@ -259,3 +266,20 @@ def test_a_report_of_runs(tmp_path):
         if line.startswith("!["):
             assert (tmp_path / line.partition("](")[2].rstrip(")")).is_file()
     assert (tmp_path / "tables" / "sparse_to_dense.csv").read_text().startswith("data,E_R with,")
+
+
+def test_a_log_that_is_read_is_left_as_it_is(tmp_path):
+    path = tmp_path / "runs.jsonl"
+    with pytest.raises(DataError, match="no such log"):
+        RunLog(path, {}, read=True)
+    log = RunLog(path, {})
+    log.append([record("library", plan.OURS)])
+    log.close()
+    with path.open("a") as file:
+        file.write('{"section": "lib')  # another process is writing
+    before = path.read_bytes()
+    log = RunLog(path, {}, read=True)
+    assert len(log.records) == 1 and path.read_bytes() == before
+    with pytest.raises(ValueError, match="reading only"):
+        log.append([record("library", plan.FAST)])
+    log.close()

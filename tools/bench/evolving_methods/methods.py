@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import importlib.util
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -25,6 +26,12 @@ class Method:
     kind: str
     tasks: tuple[str, ...]
     in_paper: bool = True
+    package: str = ""  # of PyPI, that it needs beside numpy
+
+    @property
+    def missing(self) -> bool:
+        """The package is not there."""
+        return bool(self.package) and importlib.util.find_spec(self.package) is None
 
     def load(self) -> Optimise:
         """Raises ValueError when there is no such function."""
@@ -39,8 +46,10 @@ class Method:
         return optimise
 
 
-def _of(name: str, file: str, kind: str, *tasks: str, in_paper: bool = True) -> Method:
-    return Method(name, f"evolving_methods.{file}:optimise", kind, tasks, in_paper)
+def _of(
+    name: str, file: str, kind: str, *tasks: str, in_paper: bool = True, package: str = ""
+) -> Method:
+    return Method(name, f"evolving_methods.{file}:optimise", kind, tasks, in_paper, package)
 
 
 METHODS = (
@@ -54,7 +63,7 @@ METHODS = (
     _of("DEORA", "deora", MULTI, ALPHA, BETA),
 )
 CONTROLS = (
-    _of("CMA-ES", "cma_es", SINGLE, ALPHA, in_paper=False),
+    _of("CMA-ES", "cma_es", SINGLE, ALPHA, in_paper=False, package="cma"),
     _of("L-SHADE", "l_shade", SINGLE, ALPHA, in_paper=False),
 )
 

@@ -57,7 +57,9 @@ def parser() -> argparse.ArgumentParser:
         "build/reproduction)")  # fmt: skip
     add("--page", type=Path, metavar="FILE",
         help="write the report, without pictures of clouds, to FILE too")  # fmt: skip
-    add("--quick", action="store_true", help="three small pairs, two motions: about a minute")
+    add("--report-only", action="store_true",
+        help="run nothing: write the report of the runs that --out has")  # fmt: skip
+    add("--quick", action="store_true", help="two small pairs, two motions: about a minute")
     add("--smoke", action="store_true",
         help="the smallest pair, one motion, few methods: some seconds")  # fmt: skip
     return made

@@ -44,7 +44,7 @@ def _success(records: Sequence[Record]) -> list[str]:
         return []
     value = mean_over_pairs(ours, percent)
     points = [f"EMTR-SSC succeeds in {value:.1f} % of the runs, published {paper.mean:.1f} %. What "
-              "the paper leaves open was settled by measurement ([METHOD.md](METHOD.md)): angles "
+              "the paper leaves open was settled by measurement (docs/METHOD.md): angles "
               "without bounds and the velocity limit of half a range matter most."]  # fmt: skip
     higher = []
     for name in dict.fromkeys(r["method"] for r in chosen(records, "evaluations")):

@@ -97,7 +97,8 @@ def _precision(method: str, work: Work, context: Context) -> dict[str, Any]:
 
 
 def _functions(method: str, work: Work, context: Context) -> dict[str, Any]:
-    return functions.run(context.methods[method], work.pair.name, context.seed + work.index)
+    chosen = context.methods.get(method, method)  # or the name of a public one
+    return functions.run(chosen, work.pair.name, context.seed + work.index)
 
 
 _SECTIONS: dict[str, Callable[[str, Work, Context], dict[str, Any]]] = {

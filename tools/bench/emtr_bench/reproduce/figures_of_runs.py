@@ -42,12 +42,13 @@ def mean_over_pairs(records: Sequence[Record], figure: Callable[[list[Record]], 
 def spread(
     records: Sequence[Record], column: str, factor: float = 1.0, of_success: bool = True
 ) -> Published | None:
-    """Mean and standard deviation of a column over the successes; None without any."""
+    """Mean of a column over the successes, and the standard deviation of more than one; None
+    without any."""
     values = [factor * r[column] for r in records
               if r.get(column) is not None and (success(r) or not of_success)]  # fmt: skip
     if not values:
         return None
-    deviation = float(np.std(values, ddof=1)) if len(values) > 1 else 0.0
+    deviation = float(np.std(values, ddof=1)) if len(values) > 1 else None
     return Published(float(np.mean(values)), deviation)
 
 

@@ -9,6 +9,8 @@ from evolving_methods import test_functions
 from evolving_methods.methods import Method
 from evolving_methods.problem import Problem
 
+from . import public_methods
+
 DIMENSIONS, EVALUATIONS = 10, 10000
 SEEDS = 5
 REACH = {"sphere": 100.0, "rastrigin": 5.0}
@@ -16,11 +18,15 @@ REACH = {"sphere": 100.0, "rastrigin": 5.0}
 NAMES = (*REACH, *test_functions.PAIRS)
 
 
-def run(method: Method, name: str, seed: int) -> dict[str, Any]:
-    """The best value that a method finds of the first task with EVALUATIONS for each task; every
-    optimum is 0."""
-    problem = problem_of(name, len(method.tasks))
-    method.load()(problem, np.random.default_rng(seed))
+def run(method: Method | str, name: str, seed: int) -> dict[str, Any]:
+    """The best value that a method, or one of public_methods, finds of the first task with
+    EVALUATIONS for each task; every optimum is 0."""
+    if isinstance(method, str):
+        problem = problem_of(name, 1)
+        public_methods.run(method, problem, seed)
+    else:
+        problem = problem_of(name, len(method.tasks))
+        method.load()(problem, np.random.default_rng(seed))
     return {"value": problem.tasks[0].best_fitness, "E_R": None}
 
 

@@ -10,7 +10,7 @@ from typing import Any
 from evolving_methods.methods import CONTROLS, METHODS, Method
 
 from ..pairs import Pair
-from . import functions, modelnet, precision
+from . import functions, modelnet, precision, public_methods
 
 OURS = "EMTR-SSC"
 DENSE_ONLY = "EMTR-SSC without sparse-to-dense"
@@ -55,7 +55,9 @@ class Context:
 
     @property
     def methods(self) -> dict[str, Method]:
-        return {method.name: method for method in (*METHODS, *CONTROLS, *self.user_methods)}
+        """Those that can be run here."""
+        every = (*METHODS, *CONTROLS, *self.user_methods)
+        return {method.name: method for method in every if not method.missing}
 
 
 def rate_name(value: float) -> str:
@@ -107,8 +109,10 @@ def shape_works(folder: Path | None, most: int, presets: Sequence[str]) -> list[
 def function_works(context: Context, seeds: int) -> list[Work]:
     """The runs on functions with known optima; a pair of tasks is no pair of clouds, but has its
     place in the log."""
-    runs = tuple(("functions", name) for name in context.methods
-                 if name not in {m.name for m in context.user_methods})  # fmt: skip
+    users = {method.name for method in context.user_methods}
+    names = [name for name in context.methods if name not in users]
+    names += public_methods.CLASSES if public_methods.there() else []
+    runs = tuple(("functions", name) for name in names)
     return [
         Work(Pair(name, "functions", Path()), seed, runs)
         for name in functions.NAMES

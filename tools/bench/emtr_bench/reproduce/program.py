@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from contextlib import closing
 from typing import Any
 
-from evolving_methods.methods import METHODS, user_method
+from evolving_methods.methods import CONTROLS, METHODS, user_method
 
 import pyemtr
 
@@ -21,7 +22,8 @@ from .plan import Context, Work
 from .run_log import RunLog
 from .sections import SECTIONS
 
-QUICK_PAIRS, QUICK_TRANSFORMS, QUICK_SHAPES = 3, 2, 4
+LOG = "runs.jsonl"
+QUICK_PAIRS, QUICK_TRANSFORMS, QUICK_SHAPES = 2, 2, 4
 SHAPE_PRESETS = ("paper", "default", "fast")
 #: What a smoke run leaves out: what only repeats another method with other numbers.
 SMOKE_SECTIONS = ("library", "evolving", "tasks", "sweep")
@@ -49,10 +51,14 @@ def _reproduce(arguments: argparse.Namespace) -> int:
     for method in context.user_methods:
         method.load()
     notes = []
+    if {"evolving", "functions"} & set(sections):
+        notes += [f"{m.name}: no package {m.package}; pip install '.[reproduce]'"
+                  for m in CONTROLS if m.missing]  # fmt: skip
     if "traditional" in sections:
-        names["traditional"], notes = traditional.there()
-        for note in notes:
-            print(f"not run, {note}", flush=True)
+        names["traditional"], missing = traditional.there()
+        notes += missing
+    for note in notes:
+        print(f"not run, {note}", flush=True)
     works = [
         Work(pair, index, tuple(plan.runs_of(sections, pair, pairs, context, names)))
         for pair in pairs
@@ -70,12 +76,15 @@ def _reproduce(arguments: argparse.Namespace) -> int:
         f"each; {arguments.jobs} at a time",
         flush=True,
     )
-    with closing(RunLog(arguments.out / "runs.jsonl", options)) as log:
-        execute(works, context, log, arguments.jobs)
+    with closing(RunLog(arguments.out / LOG, options, arguments.report_only)) as log:
+        if not arguments.report_only:
+            execute(works, context, log, arguments.jobs)
         wanted = {(*run, work.pair.name, work.index) for work in works for run in work.runs}
         records = [r for r in log.records
                    if (r["section"], r["method"], r["pair"], r["index"]) in wanted]  # fmt: skip
-    about = {**describe(arguments, pairs, transforms), "missing": notes}
+    if not records:
+        raise DataError(f"{arguments.out}: it has none of these runs, and --report-only makes none")
+    about = {**describe(arguments, pairs, transforms), "missing": notes, "planned": len(wanted)}
     path = report.write(arguments.out, records, pairs, about)
     print(f"wrote {path}, its tables and its figures")
     if arguments.page:
@@ -98,6 +107,7 @@ def choose(
         }
         return small[:1], 1, [s for s in sections if s in SMOKE_SECTIONS], names
     if arguments.quick:
+        sections = arguments.section or [s for s in SECTIONS if s != "functions"]
         return small[:QUICK_PAIRS], min(arguments.transforms, QUICK_TRANSFORMS), sections, {}
     return pairs, arguments.transforms, sections, {}
 
@@ -113,11 +123,13 @@ def describe(
     words += [word for text in arguments.method for word in ("--method", text)]
     if not arguments.smoke and not arguments.quick and transforms != 20:
         words += ["--transforms", str(transforms)]
+    if arguments.shapes != 1266:
+        words += ["--shapes", str(arguments.shapes)]
     generated = "; generated pairs, which are easier than real ones" if are_generated(pairs) else ""
     return {
         "command": " ".join(words),
         "motions": f"{transforms} motions each{generated}",
         "made": f"emtr {pyemtr.__version__} at {known['revision']}, {known['date']}, "
         f"{arguments.jobs} runs at a time of {arguments.threads} thread each, "
-        f"{known['cpu']}, {known['cpus']} processors",
+        f"{known['cpu']}, {known['cpus']} processors, load average {os.getloadavg()[0]:.1f}",
     }

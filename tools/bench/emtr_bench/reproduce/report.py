@@ -9,7 +9,7 @@ from typing import Any
 
 from ..pairs import Pair
 from ..whole_file import write_whole
-from . import claims, differences, figures, more_tables, scenes, tables
+from . import claims, differences, figures, methods_text, more_tables, scenes, tables
 from .run_log import Record
 from .table import Table
 
@@ -60,11 +60,12 @@ def page(
         "figure is in parentheses behind ours; ours is a mean, with a standard deviation where "
         "the paper has one.", "",
         "```text", about["command"], "```", "",
-        f"{len(records)} runs; {pairs} pairs, {about['motions']}; {about['made']}.", "",
+        f"{len(records)} of {about['planned']} runs; {pairs} pairs, {about['motions']}; "
+        f"{about['made']}.", "",
     ]  # fmt: skip
     lines += ["## What differs, and why", "", *differences.text(records, made)]
     lines += [f"* Not run, {note}" for note in about["missing"]] + [""]
-    lines += ["## Tables", ""]
+    lines += ["## The methods", "", *methods_text.lines(), "## Tables", ""]
     for table in made:
         lines += [f"### {table.title}", "", table.markdown(), ""]
         for note in table.notes:

@@ -24,12 +24,14 @@ def key(record: Record) -> Key:
 
 
 class RunLog:
-    """Appends to a file. `options` are those that change what a run gives."""
+    """Appends to a file. `options` are those that change what a run gives. A log that is only
+    `read` is left as it is, for another process may be at it."""
 
-    def __init__(self, path: Path, options: Record) -> None:
+    def __init__(self, path: Path, options: Record, read: bool = False) -> None:
         self.path = path
         self.records: list[Record] = []
-        path.parent.mkdir(parents=True, exist_ok=True)
+        if not read:
+            path.parent.mkdir(parents=True, exist_ok=True)
         head = {"options": options}
         if path.is_file():
             found, size = _read(path)
@@ -39,12 +41,15 @@ class RunLog:
                     "choose another --out, or remove it"
                 )
             self.records = found[1:]
-            with path.open("r+b") as file:
-                file.truncate(size)
-        self._file = path.open("a", encoding="utf-8")
-        if not path.stat().st_size:
-            self._write(head)
+            if not read:
+                with path.open("r+b") as file:
+                    file.truncate(size)
+        elif read:
+            raise DataError(f"{path}: no such log of runs")
         self._done = {key(record) for record in self.records}
+        self._file = None if read else path.open("a", encoding="utf-8")
+        if self._file is not None and not path.stat().st_size:
+            self._write(head)
 
     def has(self, wanted: Key) -> bool:
         return wanted in self._done
@@ -56,9 +61,12 @@ class RunLog:
             self._done.add(key(record))
 
     def close(self) -> None:
-        self._file.close()
+        if self._file is not None:
+            self._file.close()
 
     def _write(self, record: Record) -> None:
+        if self._file is None:
+            raise ValueError(f"{self.path} is open for reading only")
         self._file.write(json.dumps(_plain(record), allow_nan=False) + "\n")
         self._file.flush()
 

@@ -42,13 +42,13 @@ def there() -> tuple[list[str], list[str]]:
         found += OF_PCL
     else:
         missing.append(
-            f"{', '.join(OF_PCL)}: no {program().name} in {program().parent}; build it by cmake "
-            "with -DEMTR_BUILD_BENCH=ON"
+            f"{', '.join(OF_PCL)}: no bench_traditional in the build; build it by cmake with "
+            "-DEMTR_BUILD_BENCH=ON"
         )
-    if _open3d_python().is_file():
+    if any(FOLDER.glob("lib/python*/site-packages/open3d")):
         found.append(FGR)
     else:
-        missing.append(f"{FGR}: no Open3D in {FOLDER}; tools/bench/peers makes that environment")
+        missing.append(f"{FGR}: no Open3D in build/venv-peers, which tools/bench/peers makes")
     return found, missing
 
 
