@@ -260,6 +260,8 @@ def test_a_report_of_runs(tmp_path):
              "missing": ["FGR: no Open3D"], "planned": 50}  # fmt: skip
     path = report.write(tmp_path, some_runs() + shapes, [], about)
     text = path.read_text()
+    assert "With as many queries EMTR-SSC is ahead of 1 of 1" in text
+    assert "which was not run here (section `evaluations`)" in text
     assert "6 pairs, 2 motions each" in text and "* Not run, FGR: no Open3D" in text
     assert "| PointNetLK (cited) | - (0.847)" in text and "| emtr default, all | 0.500 |" in text
     for line in text.splitlines():

@@ -6,7 +6,6 @@ import argparse
 from pathlib import Path
 
 from ..arguments import natural, positive
-from ..locations import REPOSITORY
 from ..pair_arguments import WHERE, add_pair_options
 from .sections import SECTIONS
 
@@ -52,7 +51,7 @@ def parser() -> argparse.ArgumentParser:
     add("--seed", type=natural, default=0, help="run i of a pair has seed SEED + i (default: 0)")
     add("--jobs", type=positive, default=2, help="processes side by side (default: 2)")
     add("--threads", type=positive, default=1, help="threads a process (default: 1)")
-    add("--out", type=Path, default=REPOSITORY / "build" / "reproduction", metavar="DIR",
+    add("--out", type=Path, metavar="DIR",
         help="where the report, its tables and figures and the log of runs go (default: "
         "build/reproduction)")  # fmt: skip
     add("--page", type=Path, metavar="FILE",

@@ -52,7 +52,8 @@ def average_success(records: Records, path: Path) -> Path | None:
          [_published_success(n) for n in names]),
     )  # fmt: skip
     figure, axes = canvas()
-    for i, (label, color, values) in enumerate(series):
+    drawn = [one for one in series if not np.isnan(one[2]).all()]
+    for i, (label, color, values) in enumerate(drawn):
         axes[0, 0].bar(np.arange(len(names)) + 0.27 * (i - 1), values, 0.25, label=label,
                        color=color)  # fmt: skip
     axes[0, 0].set_xticks(range(len(names)), names, rotation=30, ha="right")
@@ -129,7 +130,8 @@ def complement(records: Records, path: Path) -> Path | None:
 
 def convergence(records: Records, path: Path) -> Path | None:
     """The median over runs of the best mean of rho on the dense clouds, over the queries."""
-    mine = [*chosen(records, "evaluations"), *chosen(records, "tasks", plan.PYTHON)]
+    others = chosen(records, "evaluations") or chosen(records, "evolving")
+    mine = [*others, *chosen(records, "tasks", plan.PYTHON)]
     mine = [r for r in mine if r.get("history")]
     if not mine:
         return None
@@ -168,7 +170,7 @@ ALL: tuple[tuple[str, str, Callable[[Records, Path], Path | None]], ...] = (
     ("success_bars", "Success by pair, with EMTR-SSC's queries", success_bars),
     ("sweep", "Success and errors over rmp and delta", sweep),
     ("complement", "Knowledge complement on and off", complement),
-    ("convergence", "Convergence, with EMTR-SSC's evaluations: the median over all runs",
+    ("convergence", "Convergence: the median over all runs",
      convergence),
 )  # fmt: skip
 

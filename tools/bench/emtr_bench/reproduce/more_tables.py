@@ -59,9 +59,9 @@ def readings(records: Records) -> Table | None:
         "precision", "Readings of what the paper leaves open",
         ["reading", "success %", "mean E_R", "mean E_t x 100", "million queries", "runs"],
         notes=["Each pair has the same weight. A search is a run of preset `paper` with this "
-               "change. An optimum is where the fitness function is best near the true pose: what "
-               "no search can fall below, whatever it costs. The published mean is that of the "
-               "same rows."],
+               "change. An optimum is where the fitness function itself is best near the true "
+               "pose: where a search ends that converges. The published mean is that of the same "
+               "rows."],
     )  # fmt: skip
     for name in precision.METHODS:
         runs = chosen(mine, "precision", name)

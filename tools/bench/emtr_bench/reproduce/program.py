@@ -15,6 +15,7 @@ import pyemtr
 
 from .. import machine
 from ..data import are_generated, chosen, related
+from ..locations import REPOSITORY
 from ..pairs import DataError, Pair
 from . import functions, plan, report, traditional
 from .execute import execute
@@ -32,6 +33,11 @@ SMOKE_SWEEP = (plan.rate_name(0.0), plan.rate_name(0.7), plan.switch_name(0.6))
 
 def reproduce(arguments: argparse.Namespace) -> int:
     """Does what the command line says; gives the exit code."""
+    if arguments.out is None:
+        arguments.out = REPOSITORY / "build" / "reproduction"
+        if arguments.smoke:  # which always begins anew, and apart from the user's own runs
+            arguments.out = arguments.out.with_name("reproduction-smoke")
+            (arguments.out / LOG).unlink(missing_ok=True)
     try:
         return _reproduce(arguments)
     except (DataError, ValueError) as error:
