@@ -21,6 +21,8 @@ from .extension import _emtr  # the first: it says which library is missing
 # isort: split
 from ._emtr import kernel_name
 from .alternative import Alternative
+from .batch.records import PairRecord, PairRecords
+from .batch.register_many import register_many
 from .cloud import Cloud
 from .distances import residuals
 from .multiway import MultiwayResult, align_all
@@ -35,6 +37,7 @@ __version__: str = _emtr.version()
 
 __all__ = [  # noqa: RUF022 - what everyone needs stands first
     "register",
+    "register_many",
     "Result",
     "Cloud",
     "residuals",
@@ -44,6 +47,8 @@ __all__ = [  # noqa: RUF022 - what everyone needs stands first
     "presets",
     "Setting",
     "Alternative",
+    "PairRecords",
+    "PairRecord",
     "Progress",
     "Problem",
     "TaskAlpha",

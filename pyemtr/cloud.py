@@ -126,6 +126,20 @@ class Cloud:
         """The largest distance of a point but strays from the centroid, in their unit."""
         return float(self._info["radius"])
 
+    @property
+    def nbytes(self) -> int:
+        """About how many bytes of memory it takes: the points that the library works with, with
+        normals and features, and those that ``points`` gives."""
+        info = self._info
+        base = int(info["base_points"]) * (24 if info["normals"] else 12)
+        found = int(info["keypoints"]) * (4 * int(info["feature_dimension"]) + 24)
+        kept = 0
+        if self._kept is not None:
+            kept = sum(array.nbytes for array in self._kept if array is not None)
+            kept += 12 * len(self) if len(self) > _ALWAYS_KEPT else 0
+        left_out = 8 * len(self) if self.dropped or self.strays else 0
+        return base + found + kept + left_out
+
     def __repr__(self) -> str:
         dropped = f", {self.dropped} dropped" if self.dropped else ""
         strays = f", {self.strays} strays" if self.strays else ""

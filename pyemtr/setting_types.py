@@ -77,6 +77,18 @@ class MethodSettings(TypedDict, total=False):
     maximum_rotation: float
 
 
+class ManySettings(MethodSettings, total=False):
+    """The settings that :func:`pyemtr.register_many` takes for all pairs."""
+
+    seed: int
+    guess: Any
+    source_viewpoint: Any
+    target_viewpoint: Any
+    axis: Any
+    translation_bounds: Any
+    mesh_points: int
+
+
 class AllSettings(MethodSettings, total=False):
     """The keyword arguments of :class:`pyemtr.Problem`."""
 

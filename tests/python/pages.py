@@ -81,8 +81,9 @@ def run_cpp(program: str, cmake: str, prefix: Path, folder: Path, sample: Path) 
 
 
 def write_arrays(folder: Path) -> None:
-    """Writes the clouds of a sample pair as source.npy and target.npy, and matches.npy beside them:
-    rows of 500 matches, of which 400 are wrong."""
+    """Writes the clouds of a sample pair as source.npy and target.npy, and beside them pairs.csv,
+    a list of this pair, and matches.npy: rows of 500 matches, of which 400 are wrong."""
+    (folder / "pairs.csv").write_text("source,target\nsource.npy,target.npy\n")
     true = np.loadtxt(folder / "T_true.txt")
     clouds = []
     for name in ("source", "target"):
