@@ -11,10 +11,12 @@ from concurrent.futures import CancelledError
 from typing import Any
 
 from .pair import Pair
+from .record import Line, as_line, error_record
 from .shared import Shared
 from .work import register_pairs
 
-_ATTEMPTS = 4  # of one item of work whose worker or whose data were lost
+_ATTEMPTS = 3  # of one item of work whose workers or whose data were lost
+_KILLED = "each worker that had it died; is there enough memory?"
 _LEAST_AHEAD = 1000  # so that an adaptive cluster sees that there is work
 _SCATTERED = 64  # clouds in memory that the cluster keeps for this run
 
@@ -47,17 +49,24 @@ class DaskRunner:
     def submit(self, pairs: Sequence[Pair]) -> None:
         self._submit(pairs, 1)
 
-    def next(self) -> list[str]:
+    def next(self) -> list[Line]:
         while True:
             future = self._done.get()
             pairs, attempt = self._work.pop(future.key)
             del self._futures[future.key]
             try:
-                lines: list[str] = future.result()
+                lines: list[Line] = future.result()
                 return lines
             except BaseException as error:
                 self._check_cluster(error)
-                if attempt == _ATTEMPTS or not _is_loss(error):
+                killed = type(error).__name__ == "KilledWorker"
+                if not killed and not isinstance(error, CancelledError):
+                    raise
+                if attempt == _ATTEMPTS:
+                    if killed:  # by the pairs themselves, it seems
+                        return [
+                            as_line(error_record(pair, RuntimeError(_KILLED))) for pair in pairs
+                        ]
                     raise
                 self._sent.clear()  # some of it may be what was lost
                 self._submit(pairs, attempt + 1)
@@ -65,7 +74,7 @@ class DaskRunner:
     def ready(self) -> bool:
         return not self._done.empty()
 
-    def finished(self) -> list[list[str]]:
+    def finished(self) -> list[list[Line]]:
         found = []
         with contextlib.suppress(queue.Empty):
             while True:
@@ -128,14 +137,6 @@ class DaskRunner:
                 f"the Dask scheduler at {self._address} is gone. What was recorded stays; run"
                 " again with a new client to go on"
             ) from error
-
-
-def _is_loss(error: BaseException) -> bool:
-    """Tells whether a worker or its data were lost, and no fault of the work is known."""
-    return isinstance(error, CancelledError) or type(error).__name__ in (
-        "KilledWorker",
-        "FutureCancelledError",
-    )
 
 
 def _with(pair: Pair, clouds: Mapping[str, Any]) -> Pair:

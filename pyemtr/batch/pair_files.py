@@ -30,7 +30,7 @@ def read_pairs(path: str) -> list[Pair]:
 
 
 def _table(path: str) -> list[Pair]:
-    folder = os.path.dirname(path)
+    folder = os.path.dirname(os.path.abspath(path))
     with open(path, newline="", encoding="utf-8-sig") as file:
         lines = csv.reader(file, strict=True)
         try:

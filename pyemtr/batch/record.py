@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from .. import _emtr
@@ -48,9 +49,19 @@ def error_record(pair: Pair, error: BaseException) -> dict[str, Any]:
     return _heading(pair, ERROR, str(error) or "not enough memory")
 
 
-def as_line(record: Mapping[str, Any]) -> str:
-    """Returns the record as it is written: JSON without a line break within, and one behind it."""
-    return json.dumps(record, allow_nan=False, separators=(",", ":"), ensure_ascii=False) + "\n"
+@dataclass(frozen=True)
+class Line:
+    """A record as it is written, and what has to be known of it without reading it again."""
+
+    index: int
+    status: str
+    text: str  # JSON without a line break within, and one behind it
+
+
+def as_line(record: Mapping[str, Any]) -> Line:
+    """Returns the record as it is written."""
+    text = json.dumps(record, allow_nan=False, separators=(",", ":"), ensure_ascii=False)
+    return Line(record["index"], record["status"], text + "\n")
 
 
 def result_of(record: Mapping[str, Any]) -> Result | None:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from .folder_lock import FolderLock
-from .record import ERROR
+from .record import ERROR, Line
 from .whole_file import replace_file, sync_folder
 
 NAME = "results.jsonl"
@@ -49,10 +49,10 @@ class RecordFile:
             self._lock.release()
             raise
 
-    def append(self, lines: list[str]) -> None:
+    def append(self, lines: list[Line]) -> None:
         """Writes the records in one call and waits until the disk has them. Where it cannot write
         them whole, it writes none and raises OSError."""
-        data = "".join(lines).encode()
+        data = "".join(line.text for line in lines).encode()
         end = os.fstat(self._file).st_size
         try:
             if os.write(self._file, data) != len(data):
@@ -62,8 +62,8 @@ class RecordFile:
             os.ftruncate(self._file, end)
             raise
         for line in lines:
-            size = len(line.encode())
-            self._note(json.loads(line), end, size)
+            size = len(line.text.encode())
+            self._note(line.index, line.status, end, size)
             end += size
 
     def read(self, index: int) -> dict[str, Any]:
@@ -95,7 +95,8 @@ class RecordFile:
         with self.path.open("rb") as file:
             for number, line in enumerate(file, 1):
                 try:
-                    self._note(json.loads(line), offset, len(line))
+                    record = json.loads(line)
+                    self._note(record["index"], record["status"], offset, len(line))
                 except (ValueError, KeyError, TypeError) as error:
                     raise ValueError(
                         f"{self.path}: line {number}: expected the record of a pair: {error}"
@@ -103,11 +104,10 @@ class RecordFile:
                 offset += len(line)
         return self.places
 
-    def _note(self, record: dict[str, Any], offset: int, length: int) -> None:
-        index = record["index"]
+    def _note(self, index: int, status: str, offset: int, length: int) -> None:
         if index in self.places:
             raise ValueError(f"a second record of pair {index}")
-        self.places[index] = Place(offset, length, record["status"])
+        self.places[index] = Place(offset, length, status)
 
     def _forget_errors(self) -> None:
         kept = [place for place in self.places.values() if place.status != ERROR]

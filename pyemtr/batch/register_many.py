@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from .pair import Pair, pairs_of
 from .pair_files import read_pairs
 from .progress_bar import ProgressBar
+from .record import Line
 from .records import PairRecords
 from .results import FolderResults, MemoryResults, used_arguments
 from .runner import Runner, runner_of
@@ -150,7 +151,7 @@ def _run(
                     running += 1
             if not running:
                 return counted.count
-            done: list[list[str]] = []
+            done: list[list[Line]] = []
             try:  # what is done by now shares one wait for the disk
                 done.append(runner.next())
                 while len(done) < running and runner.ready():
@@ -163,7 +164,7 @@ def _run(
         raise
 
 
-def _record(done: list[list[str]], results: Any, bar: ProgressBar) -> None:
+def _record(done: list[list[Line]], results: Any, bar: ProgressBar) -> None:
     lines = [line for one in done for line in one]
     if lines:
         results.append(lines)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import Any
 
 from ..inputs import Inputs
 from .pair import Pair
-from .record import ERROR, arguments_of
+from .record import ERROR, Line, arguments_of
 from .record_file import RecordFile
 from .records import PairRecords
 from .table import NAME as TABLE
@@ -32,11 +31,10 @@ class MemoryResults:
     def has(self, pair: Pair, settings: Mapping[str, Any]) -> bool:
         return False
 
-    def append(self, lines: list[str]) -> None:
+    def append(self, lines: list[Line]) -> None:
         for line in lines:
-            record = json.loads(line)
-            self._lines[record["index"]] = line
-            self._statuses[record["status"]] += 1
+            self._lines[line.index] = line.text
+            self._statuses[line.status] += 1
 
     def finish(self, count: int) -> PairRecords:
         return PairRecords(dict(self._lines), self._statuses, None)
@@ -77,7 +75,7 @@ class FolderResults:
                     self._refuse(pair, name, recorded.get(name), value)
         return True
 
-    def append(self, lines: list[str]) -> None:
+    def append(self, lines: list[Line]) -> None:
         self._file.append(lines)
 
     def finish(self, count: int) -> PairRecords:

@@ -11,6 +11,7 @@ from typing import Any, Protocol
 
 from .cloud_cache import CloudCache
 from .pair import Pair
+from .record import Line
 from .work import register_pairs
 
 Done = tuple[Sequence[Pair], Any]
@@ -25,14 +26,14 @@ class Runner(Protocol):
 
     def submit(self, pairs: Sequence[Pair]) -> None: ...
 
-    def next(self) -> list[str]:
+    def next(self) -> list[Line]:
         """Waits for one item of work and returns its records. An exception that is no fault of a
         pair, as one of the executor, is raised."""
 
     def ready(self) -> bool:
         """Tells whether next() need not wait."""
 
-    def finished(self) -> list[list[str]]:
+    def finished(self) -> list[list[Line]]:
         """Returns what is done by now without an exception, and does not wait."""
 
     def close(self) -> None:
@@ -48,8 +49,8 @@ class ExecutorRunner:
         self.executor = executor
         self._settings = dict(settings)
         self._memory_limit = memory_limit
-        self._done: queue.SimpleQueue[Future[list[str]]] = queue.SimpleQueue()
-        self._running: set[Future[list[str]]] = set()
+        self._done: queue.SimpleQueue[Future[list[Line]]] = queue.SimpleQueue()
+        self._running: set[Future[list[Line]]] = set()
         self._ahead = ahead
         self._stop = threading.Event()
         self._cache: CloudCache | None = None
@@ -68,7 +69,7 @@ class ExecutorRunner:
         self._running.add(future)
         future.add_done_callback(self._done.put)
 
-    def next(self) -> list[str]:
+    def next(self) -> list[Line]:
         future = self._done.get()
         self._running.discard(future)
         return future.result()
@@ -76,8 +77,8 @@ class ExecutorRunner:
     def ready(self) -> bool:
         return not self._done.empty()
 
-    def finished(self) -> list[list[str]]:
-        found: list[list[str]] = []
+    def finished(self) -> list[list[Line]]:
+        found: list[list[Line]] = []
         while True:
             try:
                 future = self._done.get_nowait()

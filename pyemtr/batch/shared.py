@@ -60,12 +60,12 @@ class Sharing:
         self._known: OrderedDict[int, Shared] = OrderedDict()  # by id; each keeps its object alive
 
     def share(self, pair: Pair) -> Pair:
-        """Returns the pair with :class:`Shared` in place of clouds that are no files."""
+        """Returns the pair with absolute paths, and :class:`Shared` for clouds in memory."""
         return replace(pair, source=self._shared(pair.source), target=self._shared(pair.target))
 
     def _shared(self, cloud: Any) -> Any:
         if isinstance(cloud, (str, os.PathLike)):
-            return cloud
+            return os.path.abspath(os.fsdecode(cloud))  # workers may be in another folder
         known = self._known.get(id(cloud))
         if known is None:
             known = self._known[id(cloud)] = Shared(f"{self._run}-{self._count}", cloud)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
@@ -12,7 +11,7 @@ from ..mesh import MESH_POINTS, as_mesh_points
 from ..registration import register
 from .cloud_cache import CloudCache
 from .pair import Pair
-from .record import as_line, error_record, result_record
+from .record import Line, as_line, error_record, result_record
 from .shared import Shared
 
 # They belong to one registration, so that its clouds are read for it alone.
@@ -44,7 +43,7 @@ def register_pairs(
     cache: CloudCache | None = None,
     stopped: Callable[[], bool] | None = None,
     scattered: Mapping[str, Any] | None = None,
-) -> list[str]:
+) -> list[Line]:
     """Registers the pairs and returns their records, one line each.
 
     Args:
@@ -67,7 +66,7 @@ def _record(
     cache: CloudCache,
     stopped: Callable[[], bool] | None,
     scattered: Mapping[str, Any],
-) -> str:
+) -> Line:
     if stopped is not None and stopped():
         raise Stopped
     arguments = {**settings, **pair.settings}
@@ -101,8 +100,8 @@ def _cloud(
         key, shared = cloud.token, cloud
         if not shared.is_packed or whole:
             cloud = scattered.get(shared.token, shared.cloud)
-    elif isinstance(cloud, (str, os.PathLike)):
-        key = os.path.abspath(os.fsdecode(cloud))
+    else:
+        key = cloud  # a path
     if whole or isinstance(cloud, Cloud):
         return cloud
 

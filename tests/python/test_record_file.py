@@ -11,11 +11,16 @@ from pathlib import Path
 import pytest
 from children import environment
 
+from pyemtr.batch.record import Line
 from pyemtr.batch.record_file import RecordFile
 
 
 def line(index: int, status: str = "registered", text: str = "") -> str:
     return f'{{"index":{index},"status":"{status}","text":"{text}"}}\n'
+
+
+def record(index: int, text: str = "") -> Line:
+    return Line(index, "registered", line(index, text=text))
 
 
 def test_a_torn_last_line_is_cut_off_and_the_rest_stays(tmp_path: Path) -> None:
@@ -24,7 +29,7 @@ def test_a_torn_last_line_is_cut_off_and_the_rest_stays(tmp_path: Path) -> None:
         path.write_text(line(0) + torn)
         records = RecordFile(tmp_path)
         assert list(records.places) == [0] and path.read_text() == line(0)
-        records.append([line(1), line(2)])
+        records.append([record(1), record(2)])
         assert records.read(2)["index"] == 2 and len(list(records)) == 3
         records.close()
     path.write_text("torn alone")
@@ -48,13 +53,14 @@ def test_a_full_disk_leaves_no_part_of_a_record(tmp_path: Path) -> None:
     code = f"""
 import resource, signal
 from pathlib import Path
+from pyemtr.batch.record import Line
 from pyemtr.batch.record_file import RecordFile
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 records = RecordFile(Path({str(tmp_path)!r}))
-records.append([{line(0)!r}])
+records.append([{record(0)!r}])
 resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
 try:
-    records.append([{line(1, text="x" * 200)!r}])
+    records.append([{record(1, "x" * 200)!r}])
 except OSError as error:
     print("refused:", error)
 """

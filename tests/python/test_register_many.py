@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 import threading
 import time
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -229,6 +230,24 @@ def test_processes_give_the_same(tmp_path: Path) -> None:
         assert comparable(run(pairs, pool)) == expected
         with pytest.raises(ValueError, match="workers: an executor has its own"):
             run(pairs, pool, workers=2)
+
+
+class Deadly:
+    """Ends the process that unpacks it."""
+
+    def __reduce__(self):
+        return os._exit, (1,)
+
+
+def test_a_process_that_dies_ends_the_run_and_it_can_be_taken_up(tmp_path: Path) -> None:
+    names = [str(tmp_path / name) for name in write_clouds(tmp_path, 2)]
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        run(names_pairs := [(names[0], names[1])], pool, out=tmp_path / "out")
+        with pytest.raises(BrokenExecutor):
+            run([*names_pairs, (Deadly(), names[1])], pool, out=tmp_path / "out")
+    assert list(comparable(tmp_path / "out" / "results.jsonl")) == [0]
+    records = run([*names_pairs, (A, names[1])], out=tmp_path / "out")
+    assert records.counts["error"] == 0 and len(records) == 2
 
 
 def test_a_table_is_as_good_as_a_list(tmp_path: Path) -> None:

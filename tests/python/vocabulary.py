@@ -122,6 +122,7 @@ EXCEPTIONS = [
     Exception_("*", r"\bshift\b.*(?:<<|>>)|(?:<<|>>).*\bshift\b|2\^shift|\[shift\]|int shift\)",
                "a shift of binary digits"),
     Exception_("*", r"Keys\.SHIFT|shift and arrow keys", "a key of the keyboard"),
+    Exception_("docs/MANY_PAIRS.md", r"ProcessPoolExecutor|\bpool,", "Python's executors"),
     Exception_("tools/bench/emtr_bench/*", r"\bturns?\b", "methods are measured in turns"),
     Exception_("examples/python/own_optimizer.py", r"polish=False", "an argument of SciPy's"),
     Exception_("tools/virtual_scan/shape.py", r"\bstanding\b", "an arm of the dragon"),
