@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/batch.h"
 #include "console/messages.h"
 #include "failure.h"
 #include "options/command_line.h"
@@ -69,6 +70,7 @@ int run(int argc, char** argv) {
   auto parsed = parse_command_line(argc, argv);
   if (!parsed) return kRegistered;
   Options& options = *parsed;
+  if (!options.batch.pairs.empty()) return run_batch(options);
   const Messages messages(options.quiet);
   check_before(options);
 

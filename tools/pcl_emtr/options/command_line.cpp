@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "batch/batch_options.h"
 #include "failure.h"
 #include "options/file_options.h"
 #include "options/help_text.h"
@@ -85,17 +86,24 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   set_up_help(app);
   add_run_options(app, options, reference);
   const FileOptions files(app, options);
+  const BatchOptions batch(app, options);
   const Viewpoints viewpoints(app);
   const Priors priors(app);
   const SettingOptions settings(app);
   if (!parse(app, argc, argv)) return std::nullopt;
 
-  begin_with_preset(options.preset, options.settings);
-  settings.apply(options.settings);
-  if (reference) settings.use_reference(options.settings);
-  viewpoints.apply(options.settings);
+  const auto begin = [&](const std::string& preset, emtr_settings& chosen) {
+    begin_with_preset(preset, chosen);
+    settings.apply(chosen);
+    if (reference) settings.use_reference(chosen);
+    viewpoints.apply(chosen);
+    priors.apply(chosen);
+  };
+  begin(options.preset, options.settings);
   options.viewpoints_from_files = viewpoints.from_files();
-  priors.apply(options.settings);
+  if (!options.batch.pairs.empty())
+    for (const auto& preset : presets()) begin(preset, options.batch.by_preset[preset]);
+  batch.check(options);
   files.check(options);
   return options;
 }

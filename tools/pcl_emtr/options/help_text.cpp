@@ -21,10 +21,10 @@ std::string formats_text() {
 
 std::string short_help() {
   return R"(Usage: pcl_emtr [OPTIONS] source target
+   or: pcl_emtr [OPTIONS] --batch pairs.csv --out DIR   (many pairs)
 
 Registers two partially overlapping point clouds without an initial guess.
 Prints T, which maps source into target: q = R p + t.
-
   source, target      the cloud to move and the cloud that stays, or - (stdin):
   )" + formats_text() +
          R"(
@@ -66,6 +66,7 @@ Examples:
   zcat a.pcd.gz | pcl_emtr - b.pcd --aligned - -o T.txt | ...   streams
   pcl_emtr a.pcd b.pcd --seed 7 --threads 4      same seed, same result, for any --threads
   pcl_emtr a.pcd b.pcd --preset paper --dense-points 8000 --iterations 200
+  pcl_emtr --batch pairs.csv --out results       many pairs; again: what is not yet recorded
 
 Formats, by extension in any letter case:
 )" + list +
@@ -82,6 +83,8 @@ Notes:
   Output files are written whole or not at all. NO_COLOR and TERM=dumb switch colors off.
   Ctrl-C, SIGTERM and --time-limit stop the search: it gives the best pose so far, as not
   registered. A second Ctrl-C ends the program at once.
+  With --batch a pair with a bad file is recorded with its error, and the others go on. A run that
+  was stopped or killed goes on when the same command is given again; nothing is done twice.
 
 Exit codes:
   0  registered
@@ -92,6 +95,7 @@ Exit codes:
      overlap, another pose that fits as well, too few correspondences, surfaces that leave a
      direction unconstrained, or the time limit
   130, 143  stopped by Ctrl-C or by SIGTERM: the best pose so far is written, if any was known
+  With --batch: 0 when all pairs are registered, 2 when one has an error, else 3
 )";
 }
 

@@ -2,6 +2,7 @@
 
 #include <emtr/emtr.h>
 
+#include <map>
 #include <string>
 
 #include "formats/format.h"
@@ -9,6 +10,17 @@
 #include "read/user_fields.h"
 
 namespace cli {
+
+/// Many pairs in one run, with --batch. Then the settings of the options are those of pairs that
+/// have none of their own.
+struct BatchInput {
+  std::string pairs;  // a CSV file or a folder of pairs; empty: one pair
+  std::string out;    // the folder of the results
+  std::size_t workers = 0;
+  std::size_t cache_bytes = 0;  // of preprocessed clouds
+  bool retry_errors = false;
+  std::map<std::string, emtr_settings> by_preset;  // with what the user gave on top
+};
 
 /// What the user asked for, checked. The paths of files that were not named are empty.
 struct Options {
@@ -31,6 +43,7 @@ struct Options {
   bool residuals = false;             // of the source's points, in --aligned and --report
   bool quiet = false;
   emtr_settings settings{};
+  BatchInput batch;
 };
 
 }  // namespace cli

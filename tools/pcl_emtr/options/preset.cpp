@@ -1,21 +1,16 @@
 #include "options/preset.h"
 
-#include <vector>
-
 #include "failure.h"
 #include "options/suggestion.h"
 #include "text/words.h"
 
 namespace cli {
-namespace {
 
 std::vector<std::string> presets() {
   std::vector<std::string> names;
   for (std::size_t i = 0; emtr_preset_name(i); ++i) names.emplace_back(emtr_preset_name(i));
   return names;
 }
-
-}  // namespace
 
 std::string preset_names() { return joined(presets(), " or "); }
 

@@ -3,8 +3,12 @@
 #include <emtr/emtr.h>
 
 #include <string>
+#include <vector>
 
 namespace cli {
+
+/// Returns the names of the library's presets.
+std::vector<std::string> presets();
 
 /// Returns the library's presets: "default, fast, thorough or paper".
 std::string preset_names();

@@ -30,7 +30,8 @@ std::size_t edits_between(const std::string& a, const std::string& b) {
 /// Returns the number of edits, or one when `word` is the beginning of `known`.
 std::size_t distance(const std::string& word, const std::string& known) {
   const bool beginning = word.size() >= 3 && known.compare(0, word.size(), word) == 0;
-  return std::min(edits_between(word, known), beginning ? std::size_t{1} : known.size());
+  const std::size_t edits = edits_between(word, known);
+  return beginning ? std::min(edits, std::size_t{1}) : edits;
 }
 
 }  // namespace

@@ -48,6 +48,12 @@ void add_known_pose(Json& out, const emtr_settings& s) {
 
 }  // namespace
 
+void add_settings(Json& out, const std::string& preset, const emtr_settings& settings) {
+  out["preset"] = preset;
+  out["settings"] = settings_json(settings);
+  add_known_pose(out, settings);
+}
+
 void add_input(Json& out, const Options& options) {
   out["versions"] = {
       {"emtr", emtr_version()}, {"pcl", PCL_VERSION_PRETTY}, {"eigen", eigen_version()}};
@@ -59,9 +65,7 @@ void add_input(Json& out, const Options& options) {
                   {"html", text_or_null(options.html)},
                   {"guess", text_or_null(options.guess)},
                   {"correspondences", text_or_null(options.correspondences.path)}};
-  out["preset"] = options.preset;
-  out["settings"] = settings_json(options.settings);
-  add_known_pose(out, options.settings);
+  add_settings(out, options.preset, options.settings);
   out["user_provided"] = {{"normals", options.fields.normals},
                           {"features", text_or_null(options.fields.features)},
                           {"correspondences", options.correspondences.size()}};
