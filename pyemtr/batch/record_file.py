@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from ..whole_file import sync_folder, write_whole
 from .folder_lock import FolderLock
 from .record import ERROR, Line
-from .whole_file import replace_file, sync_folder
 
 NAME = "results.jsonl"
 
@@ -111,7 +111,7 @@ class RecordFile:
 
     def _forget_errors(self) -> None:
         kept = [place for place in self.places.values() if place.status != ERROR]
-        replace_file(self.path, (os.pread(self._file, p.length, p.offset) for p in kept))
+        write_whole(self.path, (os.pread(self._file, p.length, p.offset) for p in kept))
         os.close(self._file)
         self._open()
         self._read()

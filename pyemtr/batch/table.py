@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from .whole_file import replace_file
+from ..whole_file import write_whole
 
 NAME = "results.csv"
 _PLAIN = ("index", "name", "source", "target", "status", "reason", "confidence")
@@ -26,7 +26,7 @@ def write_table(path: Path, records: Iterable[Mapping[str, Any]]) -> None:
         for _, text in rows:
             yield text
 
-    replace_file(path, parts())
+    write_whole(path, parts())
 
 
 def _row(record: Mapping[str, Any]) -> list[Any]:

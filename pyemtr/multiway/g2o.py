@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..arrays import Floats
-from .whole_file import write_whole
+from ..whole_file import write_whole
 
 # g2o has the translation before the rotation.
 _ORDER = [3, 4, 5, 0, 1, 2]

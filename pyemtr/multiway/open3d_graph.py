@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Floats
+from ..whole_file import write_whole
 from .g2o import Graph, GraphEdge
 from .rigid import adjoint, inverse
-from .whole_file import write_whole
 
 _VERSION = {"version_major": 1, "version_minor": 0}
 

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Floats
+from ..whole_file import write_whole
 from .fuse import FusedCloud
 from .picture import has_matplotlib, model_picture
-from .whole_file import write_whole
 
 if TYPE_CHECKING:
     from .result import MultiwayResult
