@@ -227,8 +227,7 @@ typedef struct emtr_settings {
   int32_t candidates;      /* 0: the swarm's best pose is the answer */
   int32_t free_space;      /* 0: points in front of what the other scan saw cost nothing */
   int32_t distinctiveness; /* 0: all points count alike in the score (ablation) */
-  int32_t
-      rivals; /* 0: the poses that a symmetric scene would fit as well are not added (ablation) */
+  int32_t rivals; /* 0: adds no poses that a symmetric scene would fit as well (ablation) */
 
   /* fallback search: more feature points, both signs of the normals, more candidates */
   int32_t fallback_search; /* an emtr_when; EMTR_AUTO: below fallback_confidence */
