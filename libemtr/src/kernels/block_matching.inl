@@ -74,11 +74,20 @@ EMTR_INLINE void enter_distances(const PrincipalBlock& rows, std::size_t row,
                                load<kSide>(columns.values + d * kDescriptorBlock + side);
     sum = sum + difference * difference;
   }
+  // Most are beyond the last of both lists.
+  const std::size_t item = rows.first + row, first = columns.first + side;
+  const std::uint32_t of_row = bits_of(broadcast<kSide>(*last_of(of_rows, item)) >= sum),
+                      of_column = bits_of(load<kSide>(last_of(of_columns, first)) >= sum);
+  if ((of_row | of_column) == 0) return;
   float each[kSide];
   store<kSide, Floats>(each, sum);
-  for (std::size_t l = 0; l < kSide; ++l) {
-    enter_in_order(of_rows, rows.first + row, each[l], columns.index[side + l]);
-    enter_in_order(of_columns, columns.first + side + l, each[l], rows.index[row]);
+  for (std::uint32_t left = of_row; left != 0; left &= left - 1) {
+    const auto l = static_cast<std::size_t>(__builtin_ctz(left));
+    enter_in_order(of_rows, item, each[l], columns.index[side + l]);
+  }
+  for (std::uint32_t left = of_column; left != 0; left &= left - 1) {
+    const auto l = static_cast<std::size_t>(__builtin_ctz(left));
+    enter_in_order(of_columns, first + l, each[l], rows.index[row]);
   }
 }
 

@@ -144,6 +144,17 @@ EMTR_INLINE Floats<N> load(const float* from) {
   }
 }
 
+template <std::size_t N>
+EMTR_INLINE Ints<N> load_ints(const std::int32_t* from) {
+  if constexpr (one_register<N>()) {
+    Ints<N> out;
+    __builtin_memcpy(&out.v, from, sizeof out.v);
+    return out;
+  } else {
+    return {load_ints<N / 2>(from), load_ints<N / 2>(from + N / 2)};
+  }
+}
+
 template <std::size_t N, template <std::size_t, bool> class Lanes, class Number>
 EMTR_INLINE void store(Number* to, const Lanes<N, one_register<N>()>& from) {
   if constexpr (one_register<N>()) {
@@ -185,6 +196,33 @@ EMTR_INLINE bool any(const Ints<N>& mask) {
     return set != 0;
   } else {
     return any(mask.low | mask.high);
+  }
+}
+
+/// Returns a bit for each lane in which the mask is set, lane 0 the lowest.
+template <std::size_t N>
+EMTR_INLINE std::uint32_t bits_of(const Ints<N>& mask) {
+  if constexpr (one_register<N>()) {
+#if defined(__AVX512DQ__)
+    if constexpr (N == 16)
+      return static_cast<std::uint32_t>(
+          static_cast<std::uint16_t>(__builtin_ia32_cvtd2mask512(mask.v)));
+#endif
+#if defined(__AVX2__)
+    if constexpr (N == 8)
+      return static_cast<std::uint32_t>(
+          __builtin_ia32_movmskps256((typename Register<N>::Float)mask.v));
+#endif
+#if defined(__SSE2__)
+    if constexpr (N == 4)
+      return static_cast<std::uint32_t>(
+          __builtin_ia32_movmskps((typename Register<N>::Float)mask.v));
+#endif
+    std::uint32_t bits = 0;
+    for (std::size_t l = 0; l < N; ++l) bits |= static_cast<std::uint32_t>(mask.v[l] & 1) << l;
+    return bits;
+  } else {
+    return bits_of(mask.low) | bits_of(mask.high) << (N / 2);
   }
 }
 

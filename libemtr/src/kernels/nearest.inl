@@ -77,12 +77,10 @@ EMTR_INLINE void query_squared_distances(const GridView& g, const PointsView& q,
 EMTR_INLINE std::int32_t candidate_at(const GridView& g, std::uint32_t cell, const Query& q,
                                       float squared) {
   const Bucket bucket = bucket_of(g, cell);
-  float each[kLanes];
-  for (std::uint32_t block = bucket.first, next = bucket.begin;; block = next++) {
-    store<kLanes, Floats>(each, to_candidates(g, block, q));
-    for (std::uint32_t l = 0; l < kLanes; ++l)
-      if (each[l] == squared) return static_cast<std::int32_t>(block * kLanes + l);
-  }
+  const Eight nearest = broadcast<kLanes>(squared);  // no candidate is nearer
+  for (std::uint32_t block = bucket.first, next = bucket.begin;; block = next++)
+    if (const std::uint32_t at = bits_of(nearest >= to_candidates(g, block, q)))
+      return static_cast<std::int32_t>(block * kLanes) + __builtin_ctz(at);
 }
 
 void squared_distances(const GridView& g, const PointsView& queries, float* out) {

@@ -40,12 +40,14 @@ EMTR_INLINE float nearest_in(const VoxelView& v, std::uint32_t begin, std::uint3
 EMTR_INLINE std::int32_t row_at(const VoxelView& v, std::uint32_t begin, std::uint32_t end,
                                 const Query& q, float squared) {
   std::int32_t row = INT32_MAX;
-  float each[kLanes];
-  for (std::uint32_t k = begin; k < end; ++k) {
-    store<kLanes, Floats>(each, to_points(v, v.starts[k], q));
-    for (std::uint32_t l = 0; l < kLanes; ++l)
-      if (each[l] == squared && v.index[v.starts[k] + l] < row) row = v.index[v.starts[k] + l];
-  }
+  const Eight nearest = broadcast<kLanes>(squared);  // no point is nearer
+  for (std::uint32_t k = begin; k < end; ++k)
+    for (std::uint32_t left = bits_of(nearest >= to_points(v, v.starts[k], q)); left != 0;
+         left &= left - 1) {
+      const std::int32_t here =
+          v.index[v.starts[k] + static_cast<std::uint32_t>(__builtin_ctz(left))];
+      if (here < row) row = here;
+    }
   return row;
 }
 
