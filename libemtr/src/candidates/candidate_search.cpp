@@ -51,11 +51,8 @@ void CandidateSearch::run_fallback_search() {
         candidates->shortlist(seeds, static_cast<std::size_t>(settings_.fallback_candidates), team),
         team);
     // All of them: between two steps of rotation a quick score says too little.
-    candidates->add(
-        admissible(plane_aligned_poses(
-                       surfaces_, static_cast<std::size_t>(settings_.plane_aligned_poses), team),
-                   prior_),
-        team);
+    const auto most = static_cast<std::size_t>(settings_.plane_aligned_poses);
+    candidates->add(admissible(plane_aligned_poses(surfaces_, most, kernels_, team), prior_), team);
   });
   add_rivals(*candidates);
   candidates_ = std::move(candidates);  // now, and not in part when it is cancelled before

@@ -43,11 +43,13 @@ std::vector<SupportedPose> best(std::vector<SupportedPose> poses, std::size_t ma
 }
 
 /// Returns the poses of most votes that lay one plane on the other.
-std::vector<SupportedPose> align(const Upright& source, const Upright& target, ThreadTeam& team) {
+std::vector<SupportedPose> align(const Upright& source, const Upright& target,
+                                 const Kernels& kernels, ThreadTeam& team) {
   const YawPairs pairs(source.points, target.points);
   std::vector<std::vector<TranslationPeak>> peaks(kYaws);
   team.parallel(kYaws, [&](std::size_t yaw, std::size_t) {
-    peaks[yaw] = vote_for_translations(source.points, target.points, pairs, static_cast<int>(yaw));
+    peaks[yaw] =
+        vote_for_translations(source.points, target.points, pairs, static_cast<int>(yaw), kernels);
   });
   const double points = std::sqrt(static_cast<double>(source.points.size()) *
                                   static_cast<double>(target.points.size()));
@@ -68,7 +70,7 @@ Surface make_even(const Cloud& cloud) {
 }  // namespace
 
 std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, std::size_t maximum_count,
-                                       ThreadTeam& team) {
+                                       const Kernels& kernels, ThreadTeam& team) {
   if (maximum_count == 0) return {};
   const Surface source = make_even(surfaces.source().points);
   const Surface target = make_even(surfaces.target().points);
@@ -81,7 +83,7 @@ std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, std::size_t 
   for (const DominantPlane& plane : dominant_planes(target, kPlanes)) {
     const Upright fixed = upright_points(target, plane);
     for (const Upright& moving : sources) {
-      const std::vector<SupportedPose> poses = align(moving, fixed, team);
+      const std::vector<SupportedPose> poses = align(moving, fixed, kernels, team);
       all.insert(all.end(), poses.begin(), poses.end());
     }
   }

@@ -17,6 +17,6 @@ namespace emtr {
 /// `maximum_count`, those of most votes for each point first; not refined. Empty where one of the
 /// clouds has no such plane.
 std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, std::size_t maximum_count,
-                                       ThreadTeam& team);
+                                       const Kernels& kernels, ThreadTeam& team);
 
 }  // namespace emtr

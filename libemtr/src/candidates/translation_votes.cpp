@@ -12,14 +12,10 @@ constexpr int kAlike = 6;             // steps between the directions that two p
 constexpr double kReach = 1.6;        // radii
 constexpr double kCell = 0.045;       // radii
 constexpr std::size_t kCells = 72, kRow = kCells + 2;  // a border of empty cells
+constexpr VoteCells kVoteCells = {-kReach, kCell, static_cast<std::int32_t>(kCells),
+                                  static_cast<std::int32_t>(kRow)};
 constexpr int kPeaks = 3;
 constexpr std::size_t kApart = 2;  // cells between peaks
-
-/// Returns the number of the translation's cell along one axis; kCells when it is too far.
-std::size_t cell_of(double translation) {
-  const double cell = std::floor((translation + kReach) / kCell);
-  return cell >= 0 && cell < static_cast<double>(kCells) ? static_cast<std::size_t>(cell) : kCells;
-}
 
 /// Sums each cell that has all eight neighbors with them.
 std::vector<int> box_sum(const std::vector<int>& votes) {
@@ -74,26 +70,30 @@ const std::vector<YawPairs::Pair>& YawPairs::of(int step) const {
 
 std::vector<TranslationPeak> vote_for_translations(const std::vector<UprightPoint>& source,
                                                    const std::vector<UprightPoint>& target,
-                                                   const YawPairs& pairs, int yaw) {
+                                                   const YawPairs& pairs, int yaw,
+                                                   const Kernels& kernels) {
   const double c = std::cos(yaw * kYawStep), s = std::sin(yaw * kYawStep);
-  std::vector<double> x(source.size()), y(source.size());
+  std::vector<double> x(source.size()), y(source.size()), u, v;
   for (std::size_t i = 0; i < source.size(); ++i) {
     x[i] = c * source[i].x - s * source[i].y;
     y[i] = s * source[i].x + c * source[i].y;
   }
-  std::vector<int> votes(kRow * kRow);
-  for (int step = yaw - kAlike; step <= yaw + kAlike; ++step)
-    for (const YawPairs::Pair& pair : pairs.of(step)) {
-      const std::size_t u = cell_of(target[pair.target].x - x[pair.source]);
-      const std::size_t v = cell_of(target[pair.target].y - y[pair.source]);
-      if (u < kCells && v < kCells) ++votes[(v + 1) * kRow + u + 1];
-    }
+  for (const UprightPoint& p : target) u.push_back(p.x), v.push_back(p.y);
+  const double *const from[2] = {x.data(), y.data()}, *const to[2] = {u.data(), v.data()};
+  std::vector<int> votes(kRow * kRow + 1);  // the last of those beyond the cells
+  for (int step = yaw - kAlike; step <= yaw + kAlike; ++step) {
+    const std::vector<YawPairs::Pair>& some = pairs.of(step);
+    search_kernels(kernels).vote(some.data(), some.size(), from, to, kVoteCells, votes.data());
+  }
+  votes.pop_back();
   std::vector<int> sums = box_sum(votes);
   std::vector<TranslationPeak> peaks;
   for (int k = 0; k < kPeaks; ++k) {
-    const auto most = std::max_element(sums.begin(), sums.end());
-    if (*most == 0) break;
-    const auto at = static_cast<std::size_t>(most - sums.begin());
+    int most = 0;  // found by a loop without a branch, and then its place
+    for (const int sum : sums) most = sum > most ? sum : most;
+    if (most == 0) break;
+    const auto at =
+        static_cast<std::size_t>(std::find(sums.begin(), sums.end(), most) - sums.begin());
     peaks.push_back(centroid(votes, at, yaw));
     clear_around(sums, at);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "candidates/upright_points.h"
+#include "kernels/search_kernels.h"
 #include "util/constants.h"
 
 namespace emtr {
@@ -17,9 +18,7 @@ constexpr double kYawStep = 2 * kPi / kYaws;
 /// makes both face the same way.
 class YawPairs {
  public:
-  struct Pair {
-    std::uint16_t source, target;
-  };
+  using Pair = VotePair;
 
   YawPairs(const std::vector<UprightPoint>& source, const std::vector<UprightPoint>& target);
 
@@ -40,6 +39,7 @@ struct TranslationPeak {
 /// Returns the translations of most votes at one rotation, the best first.
 std::vector<TranslationPeak> vote_for_translations(const std::vector<UprightPoint>& source,
                                                    const std::vector<UprightPoint>& target,
-                                                   const YawPairs& pairs, int yaw);
+                                                   const YawPairs& pairs, int yaw,
+                                                   const Kernels& kernels);
 
 }  // namespace emtr

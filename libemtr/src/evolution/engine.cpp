@@ -74,8 +74,9 @@ class Engine {
     const std::size_t n = poses_.size();
     team_.parallel(n + rotations_.size(), [&](std::size_t i, std::size_t thread) {
       if (i < n) {
-        poses_.fitness()[i] =
-            alpha_.evaluate(resolution_, space_.pose(poses_.position(i)), scratch_[thread]);
+        // One that is no better than the particle's best need not be known exactly.
+        poses_.fitness()[i] = alpha_.evaluate(resolution_, space_.pose(poses_.position(i)),
+                                              poses_.best_fitness(i), scratch_[thread]);
       } else {
         rotations_.fitness()[i - n] = beta_.evaluate(space_.rotation(rotations_.position(i - n)));
       }

@@ -11,6 +11,10 @@
 #include "kernels/voxels.inl"
 //
 #include "kernels/consistency.inl"
+#include "kernels/reach.inl"
+#include "kernels/sampling.inl"
+#include "kernels/seed_steps.inl"
+#include "kernels/votes.inl"
 
 namespace emtr::EMTR_KERNEL {
 
@@ -33,6 +37,18 @@ constexpr Kernels all(const char* name) {
   k.minimum_squared_distance = minimum_squared_distance;
   k.nearest_descriptors = nearest_descriptors;
   k.nearest_in_blocks = nearest_in_blocks;
+  return k;
+}
+
+constexpr SearchKernels search() {
+  SearchKernels k = {};
+  k.reach_bounds = reach_bounds;
+  k.count_candidates = count_candidates;
+  k.list_candidates = list_candidates;
+  k.pose_inliers = pose_inliers;
+  k.sampling_sums = sampling_sums;
+  k.add_rho = add_rho;
+  k.vote = vote;
   return k;
 }
 

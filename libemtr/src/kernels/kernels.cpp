@@ -4,11 +4,13 @@
 #include <iterator>
 #include <string>
 
+#include "kernels/search_kernels.h"
 #include "util/error.h"
 
 namespace emtr {
 
 extern const Kernels k_generic, k_avx2, k_avx512;
+extern const SearchKernels k_generic_search, k_avx2_search, k_avx512_search;
 
 namespace {
 
@@ -35,6 +37,14 @@ bool can_run(const Kernels& kernels) {
            __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq");
 #endif
   return &kernels == &k_generic;
+}
+
+const SearchKernels& search_kernels([[maybe_unused]] const Kernels& kernels) {
+#if defined(__x86_64__)
+  if (&kernels == &k_avx2) return k_avx2_search;
+  if (&kernels == &k_avx512) return k_avx512_search;
+#endif
+  return k_generic_search;
 }
 
 const Kernels& select_kernels() {

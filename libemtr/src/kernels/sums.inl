@@ -1,6 +1,7 @@
 // Transforms points and sums rho, the M-estimator. Included by each instruction set's file.
 
 #include "kernels/lanes.h"
+#include "kernels/search_kernels.h"
 
 namespace emtr::EMTR_KERNEL {
 namespace {
@@ -30,13 +31,20 @@ EMTR_INLINE double rho(float squared, float inverse) {
   return static_cast<double>(1.0f - w * w * w);
 }
 
-double rho_sum(const float* squared, std::size_t n, float inverse) {
-  double sum[kLanes] = {};
+void add_rho(const float* squared, std::size_t n, float inverse, double* sums) {
+  double sum[kLanes];
+  for (std::size_t l = 0; l < kLanes; ++l) sum[l] = sums[l];
   std::size_t i = 0;
   for (; i + kLanes <= n; i += kLanes)
     for (std::size_t l = 0; l < kLanes; ++l) sum[l] += rho(squared[i + l], inverse);
   for (std::size_t l = 0; i < n; ++i, ++l) sum[l] += rho(squared[i], inverse);
-  return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+  for (std::size_t l = 0; l < kLanes; ++l) sums[l] = sum[l];
+}
+
+double rho_sum(const float* squared, std::size_t n, float inverse) {
+  double sum[kLanes] = {};
+  add_rho(squared, n, inverse, sum);
+  return total_of_lanes(sum);
 }
 
 }  // namespace

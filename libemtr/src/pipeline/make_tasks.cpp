@@ -54,7 +54,8 @@ void make_surfaces(Problem& problem) {
                              const Cloud& points, const double center[3]) {
     if (known || !problem.settings.free_space) return known;
     const double origin[3] = {-center[0] / n.scale, -center[1] / n.scale, -center[2] / n.scale};
-    return std::optional<Viewpoint>(estimate_sampling_viewpoint(of, points, origin));
+    return std::optional<Viewpoint>(
+        estimate_sampling_viewpoint(of, points, origin, problem.kernels));
   };
   const auto of_source = viewpoint(given.source, source, problem.pair.source, n.center_source),
              of_target = viewpoint(given.target, target, problem.pair.target, n.center_target);

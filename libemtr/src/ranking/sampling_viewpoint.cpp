@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "kernels/search_kernels.h"
 #include "ranking/directions.h"
 #include "util/cancellation.h"
 #include "voxels/voxel_index.h"
@@ -18,14 +19,14 @@ constexpr std::size_t kSamples = 1024;  // points of the surface that are looked
 constexpr double kNearRadii[] = {0.03, 0.06, 0.1, 0.16, 0.25, 0.4, 0.63, 1};
 constexpr double kFarRadii[] = {1.26, 2.34, 4.33, 8};
 constexpr std::size_t kNearDirections = 50, kFarDirections = 100;
+constexpr int kFilterBits = 16;        // of the voxels that are looked for
 constexpr double kFinestStep = 0.005;  // radii
-constexpr float kGrazing = 0.1f;       // of the cosine: no angle is so flat that nothing is seen
 constexpr double kAsGood = 0.02;       // of a correlation
 constexpr double kNoTrust = 0.05, kFullTrust = 0.3;
 constexpr double kClearlyBetter = 0.05;  // of a correlation, than from the other side
 
-/// Returns the binary logarithm of a positive number to about 1e-4, by additions and products
-/// only: the last digits of a library's logarithm differ from machine to machine.
+/// Returns the binary logarithm of a positive number to about 1e-4, as the kernels do it: the last
+/// digits of a library's logarithm differ from machine to machine.
 inline float approximate_log2(float v) {
   std::int32_t bits;
   std::memcpy(&bits, &v, sizeof bits);
@@ -41,7 +42,8 @@ inline float approximate_log2(float v) {
 /// The sampled points with the logarithm of how many points of the cloud lie in their voxels.
 class Sampling {
  public:
-  Sampling(const Surface& surface, const Cloud& cloud) {
+  Sampling(const Surface& surface, const Cloud& cloud, const Kernels& kernels)
+      : kernels_(search_kernels(kernels)) {
     const std::vector<int> counts = count_points(surface, cloud);
     const std::size_t step = sample_step(surface);
     for (std::size_t i = 0, k = 0; i < surface.points.size(); i += step, ++k)
@@ -55,35 +57,20 @@ class Sampling {
   /// Correlates the sampling with what a scanner at this place would have made; 0 when either does
   /// not vary.
   double correlation(const double at[3]) const {
-    const auto x = static_cast<float>(at[0]), y = static_cast<float>(at[1]),
-               z = static_cast<float>(at[2]);
-    float sum[kLanes] = {}, squares[kLanes] = {}, products[kLanes] = {};
-    for (std::size_t i = 0; i < x_.size(); i += kLanes)
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const std::size_t k = i + lane;
-        const float dx = x - x_[k], dy = y - y_[k], dz = z - z_[k];
-        const float squared = ((dx * dx + dy * dy) + dz * dz) + 1e-6f;
-        const float along = std::abs((dx * nx_[k] + dy * ny_[k]) + dz * nz_[k]);
-        const float cosine = along / std::sqrt(squared) + kGrazing;
-        const float predicted = present_[k] * approximate_log2(cosine / squared);
-        sum[lane] += predicted;
-        squares[lane] += predicted * predicted;
-        products[lane] += predicted * log_count_[k];
-      }
-    const double n = static_cast<double>(size_), s = total(sum);
-    const double variance = total(squares) - s * s / n;
-    return variance > 0 && variance_ > 0 ? total(products) / std::sqrt(variance * variance_) : 0;
+    const float place[3] = {static_cast<float>(at[0]), static_cast<float>(at[1]),
+                            static_cast<float>(at[2])};
+    double sums[3];
+    kernels_.sampling_sums({x_.data(), y_.data(), z_.data(), nx_.data(), ny_.data(), nz_.data(),
+                            log_count_.data(), present_.data(), x_.size()},
+                           place, sums);
+    const auto [sum, squares, products] = sums;
+    const double n = static_cast<double>(size_), variance = squares - sum * sum / n;
+    return variance > 0 && variance_ > 0 ? products / std::sqrt(variance * variance_) : 0;
   }
 
  private:
   static std::size_t sample_step(const Surface& surface) {
     return std::max<std::size_t>(1, surface.points.size() / kSamples);
-  }
-
-  static double total(const float lanes[kLanes]) {
-    double out = 0;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) out += static_cast<double>(lanes[lane]);
-    return out;
   }
 
   /// Counts the cloud's points in the voxels of the sampled points.
@@ -97,9 +84,17 @@ class Sampling {
     };
     const std::size_t step = sample_step(surface);
     std::unordered_map<std::uint64_t, int> voxels;
-    for (std::size_t i = 0; i < surface.points.size(); i += step) voxels[key(surface.points, i)];
+    std::vector<bool> perhaps(std::size_t{1} << kFilterBits);  // by a hash; most points are in none
+    const auto hash = [](std::uint64_t k) { return k * 0x9e3779b97f4a7c15 >> (64 - kFilterBits); };
+    for (std::size_t i = 0; i < surface.points.size(); i += step) {
+      const std::uint64_t k = key(surface.points, i);
+      voxels[k];
+      perhaps[hash(k)] = true;
+    }
     for (std::size_t i = 0; i < cloud.size(); ++i) {
-      const auto found = voxels.find(key(cloud, i));
+      const std::uint64_t k = key(cloud, i);
+      if (!perhaps[hash(k)]) continue;
+      const auto found = voxels.find(k);
       if (found != voxels.end()) ++found->second;
     }
     std::vector<int> counts;
@@ -140,6 +135,7 @@ class Sampling {
       for (auto* v : {&x_, &y_, &z_, &nx_, &ny_, &nz_, &log_count_, &present_}) v->push_back(0);
   }
 
+  const SearchKernels& kernels_;
   std::vector<float> x_, y_, z_, nx_, ny_, nz_, log_count_, present_;
   std::size_t size_ = 0;
   double variance_ = 0;
@@ -207,8 +203,8 @@ double trust_in_side(const Best& best) {
 }  // namespace
 
 Viewpoint estimate_sampling_viewpoint(const Surface& surface, const Cloud& cloud,
-                                      const double origin[3]) {
-  const Sampling sampling(surface, cloud);
+                                      const double origin[3], const Kernels& kernels) {
+  const Sampling sampling(surface, cloud, kernels);
   Best best{sampling};
   best.look(sampling.centroid());
   for (const double radius : kNearRadii) look_around(best, kNearDirections, radius);

@@ -16,6 +16,6 @@ namespace emtr {
 /// scans or sampled evenly stay below 0.2. It falls to 0 where a place outside of the cloud does no
 /// better than the one on the other side.
 Viewpoint estimate_sampling_viewpoint(const Surface& surface, const Cloud& cloud,
-                                      const double origin[3]);
+                                      const double origin[3], const Kernels& kernels);
 
 }  // namespace emtr

@@ -1,5 +1,6 @@
 #include "seeds/consistency.h"
 
+#include "kernels/search_kernels.h"
 #include "util/thread_team.h"
 
 namespace emtr {
@@ -33,6 +34,15 @@ Consistency::Consistency(const Cloud& source, const Cloud& target,
       degree_[i] = kernels_.count_common(bits, bits, words_);
     });
   });
+}
+
+std::size_t Consistency::inliers(const Rigid& pose, double squared_distance,
+                                 std::uint64_t* bits) const {
+  double matrix[16];
+  to_matrix(pose, matrix);
+  PointsView p = p_.view(), q = q_.view();
+  p.size = q.size = n_;
+  return search_kernels(kernels_).pose_inliers(p, q, matrix, squared_distance, bits);
 }
 
 }  // namespace emtr

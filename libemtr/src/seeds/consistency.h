@@ -5,6 +5,7 @@
 
 #include "correspondences/correspondence.h"
 #include "geometry/cloud.h"
+#include "geometry/rigid.h"
 
 namespace emtr {
 
@@ -24,6 +25,18 @@ class Consistency {
   std::size_t common(std::size_t i, std::size_t j) const {
     return kernels_.count_common(row(i), row(j), words_);
   }
+
+  /// Counts those before j that are consistent with both.
+  std::size_t common_before(std::size_t i, std::size_t j) const {
+    const std::uint64_t last = row(i)[j / 64] & row(j)[j / 64];
+    return kernels_.count_common(row(i), row(j), j / 64) +
+           static_cast<std::size_t>(
+               __builtin_popcountll(last & ((std::uint64_t{1} << (j % 64)) - 1)));
+  }
+
+  /// Writes the bits of the correspondences that a pose brings within the distance, and returns how
+  /// many they are.
+  std::size_t inliers(const Rigid& pose, double squared_distance, std::uint64_t* bits) const;
 
   /// Counts those of a set that are consistent with correspondence i.
   std::size_t count_common(const std::uint64_t* set, std::size_t i) const {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
 #include "seeds/procrustes.h"
+#include "seeds/support.h"
 #include "util/thread_team.h"
 
 namespace emtr {
@@ -18,24 +20,12 @@ Eigen::Vector3d point(const Cloud& cloud, std::size_t i) {
   return {double{cloud.x[i]}, double{cloud.y[i]}, double{cloud.z[i]}};
 }
 
-/// Returns the correspondences with the most support first: the sum, over those consistent with it,
-/// of how many are consistent with both. Leaves out those within the threshold of a taken one at
-/// both ends, which would give the same seed again.
+/// Returns the correspondences with the most support first. Leaves out those within the threshold
+/// of a taken one at both ends, which would give the same seed again.
 std::vector<std::size_t> find_centers(const Consistency& c, double threshold, std::size_t max_count,
                                       ThreadTeam& team) {
-  std::vector<std::size_t> support(c.size()), order(c.size());
-  std::vector<std::vector<std::size_t>> parts(team.size());  // by thread
-  team.parallel(c.size(), [&](std::size_t i, std::size_t thread) {
-    std::vector<std::size_t>& sums = parts[thread];
-    sums.resize(c.size());
-    c.for_each_consistent(i, i + 1, [&](std::size_t j) {
-      const std::size_t common = c.common(i, j);
-      sums[i] += common;
-      sums[j] += common;
-    });
-  });
-  for (const std::vector<std::size_t>& sums : parts)
-    for (std::size_t i = 0; i < sums.size(); ++i) support[i] += sums[i];
+  const std::vector<std::size_t> support = support_of_each(c, team);
+  std::vector<std::size_t> order(c.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return support[a] > support[b]; });
@@ -64,15 +54,15 @@ class SeedFit {
   Seed around(std::size_t center) const {
     Procrustes sums;
     for (const std::size_t i : consistent_subset(center)) add(sums, i);
+    std::vector<std::uint64_t> inliers(c_.words()), others(c_.words());
     Seed best{sums.pose(), 0};
-    best.inliers = count_inliers(best.pose, nullptr);
-    for (int k = 0; k < kRefits; ++k) {
-      Procrustes inlier_sums;
-      if (count_inliers(best.pose, &inlier_sums) < 3) break;
-      const Rigid pose = inlier_sums.pose();
-      const std::size_t count = count_inliers(pose, nullptr);
+    best.inliers = c_.inliers(best.pose, squared_threshold_, inliers.data());
+    for (int k = 0; k < kRefits && best.inliers >= 3; ++k) {
+      const Rigid pose = fit(inliers);
+      const std::size_t count = c_.inliers(pose, squared_threshold_, others.data());
       if (count <= best.inliers) break;
       best = {pose, count};
+      inliers.swap(others);
     }
     return best;
   }
@@ -94,16 +84,12 @@ class SeedFit {
 
   void add(Procrustes& sums, std::size_t i) const { sums.add(point(c_.p(), i), point(c_.q(), i)); }
 
-  /// Counts the inliers of a pose and adds them to `sums`, unless it is null.
-  std::size_t count_inliers(const Rigid& pose, Procrustes* sums) const {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < c_.size(); ++i) {
-      const Eigen::Vector3d d = pose * point(c_.p(), i) - point(c_.q(), i);
-      if ((d.x() * d.x() + d.y() * d.y()) + d.z() * d.z() >= squared_threshold_) continue;
-      ++count;
-      if (sums) add(*sums, i);
-    }
-    return count;
+  Rigid fit(const std::vector<std::uint64_t>& set) const {
+    Procrustes sums;
+    for (std::size_t word = 0; word < set.size(); ++word)
+      for (std::uint64_t bits = set[word]; bits; bits &= bits - 1)
+        add(sums, 64 * word + static_cast<std::size_t>(__builtin_ctzll(bits)));
+    return sums.pose();
   }
 
   const Consistency& c_;

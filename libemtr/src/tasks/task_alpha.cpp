@@ -1,8 +1,17 @@
 #include "tasks/task_alpha.h"
 
+#include <algorithm>
+
 #include "geometry/transform.h"
+#include "kernels/search_kernels.h"
 
 namespace emtr {
+namespace {
+
+constexpr std::size_t kPiece = 512;  // points between two looks at the sum; a multiple of kLanes
+
+}  // namespace
+
 TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings,
                      const Kernels& kernels, const MakeNeighbors& make_neighbors)
     : downsampled_(downsampled),
@@ -34,13 +43,40 @@ double TaskAlpha::sum(const Cloud& points, const Rigid& pose, const Neighbors& n
   return kernels_.rho_sum(scratch.squared.data(), points.size(), 1.0f / (c * c));
 }
 
-double TaskAlpha::evaluate(emtr_resolution resolution, const Rigid& pose, Scratch& scratch) const {
+/// Sums up piece by piece. No term is negative, and rounding keeps the order of sums, so that what
+/// is not less than `enough` by then never will be.
+double TaskAlpha::sum_until(double enough, const Cloud& points, const Rigid& pose,
+                            const Neighbors& neighbors, double scale, Scratch& scratch) const {
+  for (auto* v : {&scratch.x, &scratch.y, &scratch.z, &scratch.squared})
+    if (v->size() < kPiece) v->resize(kPiece);
+  const auto c = static_cast<float>(scale);
+  const float inverse = 1.0f / (c * c);
+  double lanes[kLanes] = {}, total = 0;
+  for (std::size_t first = 0; first < points.size() && total < enough; first += kPiece) {
+    PointsView piece = points.view();
+    piece.x += first, piece.y += first, piece.z += first;
+    piece.size = std::min(kPiece, piece.size - first);
+    transform(kernels_, piece, pose, scratch.x.data(), scratch.y.data(), scratch.z.data());
+    neighbors.squared_distances({scratch.x.data(), scratch.y.data(), scratch.z.data(), piece.size},
+                                scratch.squared.data());
+    search_kernels(kernels_).add_rho(scratch.squared.data(), piece.size, inverse, lanes);
+    total = total_of_lanes(lanes);
+  }
+  return total;
+}
+
+double TaskAlpha::evaluate(emtr_resolution resolution, const Rigid& pose, double enough,
+                           Scratch& scratch) const {
   if (resolution == EMTR_RESOLUTION_SPARSE)
-    return sum(downsampled_.source_sparse, pose, *target_sparse_, scale_sparse_, scratch);
+    return sum_until(enough, downsampled_.source_sparse, pose, *target_sparse_, scale_sparse_,
+                     scratch);
   const double forward =
-      sum(downsampled_.source_dense, pose, *target_dense_, scale_dense_, scratch);
-  return forward +
-         sum(downsampled_.target_dense, pose.inverse(), *source_dense_, scale_dense_, scratch);
+      sum_until(enough, downsampled_.source_dense, pose, *target_dense_, scale_dense_, scratch);
+  if (!(forward < enough)) return forward;
+  // What forward + backward < enough needs of the backward sum, and a little more for rounding.
+  const double left = (enough - forward) * (1 + 1e-12) + 1e-12 * enough;
+  return forward + sum_until(left, downsampled_.target_dense, pose.inverse(), *source_dense_,
+                             scale_dense_, scratch);
 }
 
 std::size_t TaskAlpha::queries(emtr_resolution resolution) const {

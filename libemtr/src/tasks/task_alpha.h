@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -30,7 +31,12 @@ class TaskAlpha {
   TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings, const Kernels& kernels,
             const MakeNeighbors& make_neighbors);
 
-  double evaluate(emtr_resolution resolution, const Rigid& pose, Scratch& scratch) const;
+  double evaluate(emtr_resolution resolution, const Rigid& pose, Scratch& scratch) const {
+    return evaluate(resolution, pose, HUGE_VAL, scratch);
+  }
+  /// Returns the same if it is less than `enough`, and else any number that is not: it ends early.
+  double evaluate(emtr_resolution resolution, const Rigid& pose, double enough,
+                  Scratch& scratch) const;
 
   /// Returns the number of nearest-neighbor queries of one evaluation: N_s, or N_d + M_d.
   std::size_t queries(emtr_resolution resolution) const;
@@ -57,6 +63,8 @@ class TaskAlpha {
                  Scratch& scratch) const;
   double sum(const Cloud& points, const Rigid& pose, const Neighbors& neighbors, double scale,
              Scratch& scratch) const;
+  double sum_until(double enough, const Cloud& points, const Rigid& pose,
+                   const Neighbors& neighbors, double scale, Scratch& scratch) const;
 
   const DownsampledClouds& downsampled_;
   const Kernels& kernels_;

@@ -18,7 +18,7 @@ std::vector<Rigid> poses_of(const Surface& source, const Surface& target, int th
   const SurfacePair surfaces(source, target, {}, {}, emtr::select_kernels());
   std::vector<Rigid> out;
   emtr::ThreadTeam::with(threads, [&](emtr::ThreadTeam& team) {
-    out = emtr::plane_aligned_poses(surfaces, kMost, team);
+    out = emtr::plane_aligned_poses(surfaces, kMost, emtr::select_kernels(), team);
   });
   return out;
 }

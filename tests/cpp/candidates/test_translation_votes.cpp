@@ -11,6 +11,8 @@ namespace {
 using emtr::UprightPoint;
 using emtr::YawPairs;
 
+const emtr::Kernels& kKernels = emtr::select_kernels();
+
 std::vector<UprightPoint> random_points(std::uint64_t seed, std::size_t n) {
   emtr_test::Draw draw(seed);
   std::vector<UprightPoint> out;
@@ -36,7 +38,7 @@ TEST(TranslationVotes, PeakAtTheMotionAndNowhereElse) {
   int best = 0, best_elsewhere = 0;
   emtr::TranslationPeak at{};
   for (int yaw = 0; yaw < emtr::kYaws; ++yaw)
-    for (const auto& peak : emtr::vote_for_translations(source, target, pairs, yaw)) {
+    for (const auto& peak : emtr::vote_for_translations(source, target, pairs, yaw, kKernels)) {
       if (std::abs(yaw - 40) > 10) {
         best_elsewhere = std::max(best_elsewhere, peak.votes);
       } else if (peak.votes > best) {
@@ -71,7 +73,8 @@ TEST(TranslationVotes, ReachTheCornersOfTheirCells) {
   for (const double x : {-1.59, 1.63})
     for (const double y : {-1.59, 1.63}) {
       const std::vector<UprightPoint> target = {{x, y, 0.1, 1}};
-      const auto peaks = emtr::vote_for_translations(source, target, YawPairs(source, target), 0);
+      const auto peaks =
+          emtr::vote_for_translations(source, target, YawPairs(source, target), 0, kKernels);
       ASSERT_EQ(peaks.size(), 1u);
       EXPECT_EQ(peaks[0].votes, 1);
       EXPECT_NEAR(peaks[0].x, x, 0.03);
@@ -82,8 +85,8 @@ TEST(TranslationVotes, ReachTheCornersOfTheirCells) {
 TEST(TranslationVotes, ThereAreNoneWithoutPoints) {
   const auto some = random_points(2, 80);
   const std::vector<UprightPoint> none;
-  EXPECT_TRUE(emtr::vote_for_translations(some, none, YawPairs(some, none), 0).empty());
-  EXPECT_TRUE(emtr::vote_for_translations(none, some, YawPairs(none, some), 0).empty());
+  EXPECT_TRUE(emtr::vote_for_translations(some, none, YawPairs(some, none), 0, kKernels).empty());
+  EXPECT_TRUE(emtr::vote_for_translations(none, some, YawPairs(none, some), 0, kKernels).empty());
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ double distance(const Viewpoint& v, const Vector& from) {
 TEST(SamplingViewpoint, IsWhereTheScannerStood) {
   for (const Vector& from : {Vector{0, 0, 0}, Vector{0.4, -0.2, 0.1}, Vector{-0.7, 0.3, -0.2}}) {
     const Scan scan = scan_room(from);
-    const Viewpoint found = estimate_sampling_viewpoint(scan.surface, scan.cloud, kFarOrigin);
+    const Viewpoint found =
+        estimate_sampling_viewpoint(scan.surface, scan.cloud, kFarOrigin, emtr::select_kernels());
     EXPECT_LT(distance(found, from), 0.06) << from[0];
     EXPECT_EQ(found.trust, 1);
     EXPECT_FALSE(found.given);
@@ -76,7 +77,8 @@ TEST(SamplingViewpoint, IsTheOriginWhereThatDoesAsWell) {
   const Vector from{0.4, -0.2, 0.1};
   const Scan scan = scan_room(from);
   const double near[3] = {0.41, -0.2, 0.1};
-  const Viewpoint found = estimate_sampling_viewpoint(scan.surface, scan.cloud, near);
+  const Viewpoint found =
+      estimate_sampling_viewpoint(scan.surface, scan.cloud, near, emtr::select_kernels());
   for (std::size_t a = 0; a < 3; ++a) EXPECT_EQ(found.at[a], near[a]);
 }
 
@@ -97,17 +99,22 @@ TEST(SamplingViewpoint, IsNotBelievedOfAnEvenlySampledCloud) {
     if (taken.insert(cell).second)
       emtr_test::push(even.surface, p, across ? Vector{1, 0, 0} : Vector{0, 1, 0});
   }
-  EXPECT_LT(estimate_sampling_viewpoint(even.surface, even.cloud, kFarOrigin).trust, 0.5);
+  EXPECT_LT(
+      estimate_sampling_viewpoint(even.surface, even.cloud, kFarOrigin, emtr::select_kernels())
+          .trust,
+      0.5);
 }
 
 TEST(SamplingViewpoint, HasNoTrustWhereNothingVaries) {
   Surface one;  // a point a voxel
   one.leaf = 0.1;
   for (int i = 0; i < 100; ++i) emtr_test::push(one, {0.1 * i + 0.05, 0.05, 0.05}, {0, 0, 1});
-  EXPECT_EQ(estimate_sampling_viewpoint(one, one.points, kFarOrigin).trust, 0);
+  EXPECT_EQ(estimate_sampling_viewpoint(one, one.points, kFarOrigin, emtr::select_kernels()).trust,
+            0);
   Surface bare = one;  // without a normal
   for (auto* v : {&bare.normals.x, &bare.normals.y, &bare.normals.z}) v->assign(100, NAN);
-  EXPECT_EQ(estimate_sampling_viewpoint(bare, bare.points, kFarOrigin).trust, 0);
+  EXPECT_EQ(
+      estimate_sampling_viewpoint(bare, bare.points, kFarOrigin, emtr::select_kernels()).trust, 0);
 }
 
 }  // namespace

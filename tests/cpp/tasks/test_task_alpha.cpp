@@ -57,6 +57,25 @@ TEST(TaskAlpha, SparseStageIsTheSourceSum) {
   EXPECT_EQ(alpha.queries(EMTR_RESOLUTION_SPARSE), 40u);
 }
 
+TEST(TaskAlpha, EndsEarlyOnlyWhereItIsNotLess) {
+  emtr::DownsampledClouds d = small_downsampled_clouds();
+  d.source_dense = emtr_test::uniform_cloud(2000, 3);
+  d.target_dense = emtr_test::uniform_cloud(1500, 4);
+  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
+  emtr::TaskAlpha::Scratch scratch;
+  for (const auto stage : {EMTR_RESOLUTION_SPARSE, EMTR_RESOLUTION_DENSE}) {
+    const double whole = alpha.evaluate(stage, pose(), scratch);
+    ASSERT_GT(whole, 1);
+    for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0})
+      EXPECT_GE(alpha.evaluate(stage, pose(), share * whole, scratch), share * whole);
+    if (stage == EMTR_RESOLUTION_DENSE) {
+      EXPECT_LT(alpha.evaluate(stage, pose(), 0.1 * whole, scratch), whole);  // it did end
+    }
+    for (const double enough : {std::nextafter(whole, 1e9), 1.1 * whole, HUGE_VAL})
+      EXPECT_EQ(alpha.evaluate(stage, pose(), enough, scratch), whole);
+  }
+}
+
 TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
   const emtr::DownsampledClouds d = small_downsampled_clouds();
   const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
