@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ranking/distinctiveness.h"
-
 namespace emtr {
 namespace {
 
@@ -25,15 +23,6 @@ std::vector<Vector3d> laid_together(const SurfacePair& surfaces, const Rigid& po
   for (std::size_t i = 0; i < source.size(); ++i) out.push_back(pose * row(source, i));
   for (std::size_t i = 0; i < target.size(); ++i) out.push_back(row(target, i));
   return out;
-}
-
-/// Returns the normal of the least distinctive point: the one that most share.
-Vector3d dominant_normal(const Surface& surface) {
-  const std::vector<float> weights = distinctiveness(surface);
-  std::size_t least = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] > 0 && (weights[least] <= 0 || weights[i] < weights[least])) least = i;
-  return row(surface.normals, least);
 }
 
 }  // namespace
@@ -56,8 +45,9 @@ SceneAxes scene_axes(const SurfacePair& surfaces, const Rigid& pose) {
   }
   out.middle = principal * (low + high) / 2;
   out.axes = {principal.col(0), principal.col(1), principal.col(2)};
+  const std::size_t plainest = surfaces.ranking().fit().plainest_of_target();
   const Vector3d dominant =
-      dominant_normal(surfaces.target()).normalized();  // floats are not quite
+      row(surfaces.target().normals, plainest).normalized();  // floats are not quite
   const bool known = std::any_of(out.axes.begin(), out.axes.end(), [&](const Vector3d& axis) {
     return !(std::abs(axis.dot(dominant)) < kParallel);  // or there is none
   });

@@ -31,4 +31,11 @@ std::vector<float> distinctiveness(const Surface& surface) {
   return out;
 }
 
+std::size_t least_distinctive(const std::vector<float>& weights) {
+  std::size_t least = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0 && (weights[least] <= 0 || weights[i] < weights[least])) least = i;
+  return least;
+}
+
 }  // namespace emtr

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "geometry/surface.h"
@@ -13,5 +14,8 @@ namespace emtr {
 /// the same, to a factor, wherever and however the cloud lies. 0 where there is no normal. Of a
 /// surface that is not to be weighted, all weights are 1.
 std::vector<float> distinctiveness(const Surface& surface);
+
+/// Returns the row of the first of the least weights above 0; 0 where there is none.
+std::size_t least_distinctive(const std::vector<float>& weights);
 
 }  // namespace emtr

@@ -39,9 +39,10 @@ SurfaceFit::SurfaceFit(const SharedSurface& source, const SharedSurface& target,
     : kernels_(kernels),
       leaf_(common_leaf(*source, *target)),
       neighbors_{near(*source, kernels), near(*target, kernels)} {
+  std::vector<float> of_target = distinctiveness(*target);
+  plainest_of_target_ = least_distinctive(of_target);
   subsets_.push_back(
-      {1,
-       {weighted(source, distinctiveness(*source)), weighted(target, distinctiveness(*target))}});
+      {1, {weighted(source, distinctiveness(*source)), weighted(target, std::move(of_target))}});
 }
 
 SurfaceFit::Weighted SurfaceFit::weighted(const SharedSurface& surface,

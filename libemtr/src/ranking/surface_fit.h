@@ -60,6 +60,8 @@ class SurfaceFit {
 
   /// Gathers every `step`-th point of both surfaces.
   void add_subset(std::size_t step);
+  /// Returns the row of the target's point whose normal most others share.
+  std::size_t plainest_of_target() const { return plainest_of_target_; }
   /// Returns the points of that subset, of the source (0) or the target (1).
   const Cloud& points(int side, std::size_t step) const;
 
@@ -84,6 +86,7 @@ class SurfaceFit {
 
   const Kernels& kernels_;
   const float leaf_;
+  std::size_t plainest_of_target_ = 0;
   const std::unique_ptr<Neighbors> neighbors_[2];  // of the source, of the target
   std::vector<Subset> subsets_;                    // all points first
 };

@@ -45,4 +45,11 @@ TEST(Distinctiveness, IsTheSameHoweverTheSurfaceLies) {
   for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(there[i], here[i], 0.1f * here[i]);
 }
 
+TEST(Distinctiveness, TheLeastIsTheFirstOfThoseAboveZero) {
+  EXPECT_EQ(emtr::least_distinctive({0, 3, 0, 2, 5, 2}), 3u);
+  EXPECT_EQ(emtr::least_distinctive({1, 3}), 0u);
+  EXPECT_EQ(emtr::least_distinctive({0, 0}), 0u);  // there is none
+  EXPECT_EQ(emtr::least_distinctive({}), 0u);
+}
+
 }  // namespace
