@@ -13,18 +13,10 @@ constexpr std::size_t kFewCoordinates = kPrincipal / 2;  // tell most pairs apar
 /// calls.
 inline void enter_in_order(const NearestLists& lists, std::size_t item, float squared,
                            std::int32_t index) {
-  const auto before = [&](std::size_t j) {
+  insert(lists, item, squared, index, [&](std::size_t j) {
     const float other = lists.squared[j * lists.stride + item];
     return squared < other || (squared == other && index < lists.index[j * lists.stride + item]);
-  };
-  std::size_t j = lists.k - 1;
-  if (!before(j)) return;
-  for (; j > 0 && before(j - 1); --j) {
-    lists.squared[j * lists.stride + item] = lists.squared[(j - 1) * lists.stride + item];
-    lists.index[j * lists.stride + item] = lists.index[(j - 1) * lists.stride + item];
-  }
-  lists.squared[j * lists.stride + item] = squared;
-  lists.index[j * lists.stride + item] = index;
+  });
 }
 
 EMTR_INLINE const float* last_of(const NearestLists& lists, std::size_t item) {

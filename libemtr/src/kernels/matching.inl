@@ -13,15 +13,24 @@ constexpr std::size_t kTile =
     64 * kDescriptor;  // numbers a column that stay in the cache while the rows pass
 using Columns = Floats<kSide>;
 
-inline void enter(const NearestLists& lists, std::size_t item, float squared, std::int32_t index) {
+/// Enters a neighbor into a list before those that `is_before(their place)` says.
+template <class IsBefore>
+EMTR_INLINE void insert(const NearestLists& lists, std::size_t item, float squared,
+                        std::int32_t index, const IsBefore& is_before) {
   std::size_t j = lists.k - 1;
-  if (!(squared < lists.squared[j * lists.stride + item])) return;
-  for (; j > 0 && squared < lists.squared[(j - 1) * lists.stride + item]; --j) {
+  if (!is_before(j)) return;
+  for (; j > 0 && is_before(j - 1); --j) {
     lists.squared[j * lists.stride + item] = lists.squared[(j - 1) * lists.stride + item];
     lists.index[j * lists.stride + item] = lists.index[(j - 1) * lists.stride + item];
   }
   lists.squared[j * lists.stride + item] = squared;
   lists.index[j * lists.stride + item] = index;
+}
+
+/// Enters a neighbor; of equal distances the one of the earlier call comes first.
+inline void enter(const NearestLists& lists, std::size_t item, float squared, std::int32_t index) {
+  insert(lists, item, squared, index,
+         [&](std::size_t j) { return squared < lists.squared[j * lists.stride + item]; });
 }
 
 /// Enters the distances of one row to kSide columns.
