@@ -10,6 +10,7 @@
 #include "kernels/sums.inl"
 #include "kernels/voxels.inl"
 //
+#include "kernels/bins.inl"
 #include "kernels/consistency.inl"
 #include "kernels/reach.inl"
 #include "kernels/sampling.inl"
@@ -48,6 +49,7 @@ constexpr SearchKernels search() {
   k.pose_inliers = pose_inliers;
   k.sampling_sums = sampling_sums;
   k.add_rho = add_rho;
+  k.direction_bins = direction_bins;
   k.vote = vote;
   return k;
 }

@@ -54,6 +54,11 @@ struct VoteCells {
   std::int32_t row;    ///< cells from one row to the next
 };
 
+/// Bins of directions, see ranking/direction_bins; columns and rows may be one beyond the last.
+struct BinsOut {
+  std::int32_t *face, *column, *row;
+};
+
 /// One implementation of these loops. All give the same bits.
 struct SearchKernels {
   /// Lowers bound[c] to the squared distance from a point to the farthest place of cell c, for each
@@ -82,6 +87,9 @@ struct SearchKernels {
   /// Adds rho(squared[i]) to lane i % kLanes of the sums; n is a multiple of kLanes but in the last
   /// call. total_of_lanes() of them is Kernels::rho_sum() of all.
   void (*add_rho)(const float* squared, std::size_t n, float inverse_squared_scale, double* sums);
+
+  /// Writes the bin of each direction, of any length. All arrays have room for a multiple of 16.
+  void (*direction_bins)(const PointsView& directions, float half_side, const BinsOut& out);
 
   /// Adds a vote for each pair's translation target - source to its cell; one of a translation
   /// beyond the cells goes to votes[row * row].

@@ -6,17 +6,19 @@
 #include <numeric>
 
 #include "geometry/transform.h"
+#include "kernels/search_kernels.h"
 
 namespace emtr {
 namespace {
 
 constexpr float kMargin = 0.7f;  // leaves, to be clearly in front
 constexpr int kMinimumFilled = 6;
+constexpr std::size_t kPiece = 256;  // points whose bins are found at once
 constexpr float kEmpty = std::numeric_limits<float>::infinity();
 
 void move(const Kernels& kernels, const Cloud& points, const Rigid& pose, DepthMap::Scratch& s) {
-  if (s.x.size() < points.size())
-    for (auto* v : {&s.x, &s.y, &s.z}) v->resize(points.size());
+  if (s.x.size() < points.size() + kPiece)
+    for (auto* v : {&s.x, &s.y, &s.z}) v->resize(points.size() + kPiece);
   transform(kernels, points, pose, s.x.data(), s.y.data(), s.z.data());
 }
 
@@ -89,14 +91,21 @@ void DepthMap::find_free_ranges(const CubeMap::Window& w, const std::vector<floa
 std::size_t DepthMap::in_front(const Cloud& points, const Rigid& pose, Scratch& s,
                                const std::uint8_t* inlier) const {
   move(kernels_, points, bins_.to_view() * pose, s);
+  std::int32_t face[kPiece], column[kPiece], row[kPiece];
   std::size_t count = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (inlier && inlier[i]) continue;
-    const DirectionBins::Bin bin = bins_(s.x[i], s.y[i], s.z[i]);
-    const CubeMap::Window& w = map_.window(bin.face);
-    if (!w.contains(bin)) continue;
-    const float squared = (s.x[i] * s.x[i] + s.y[i] * s.y[i]) + s.z[i] * s.z[i];
-    count += squared < squared_free_range_[w.index(bin.column, bin.row)];
+  for (std::size_t first = 0; first < points.size(); first += kPiece) {
+    const float *x = &s.x[first], *y = &s.y[first], *z = &s.z[first];
+    const std::size_t n = std::min(kPiece, points.size() - first);
+    search_kernels(kernels_).direction_bins({x, y, z, n}, bins_.half_side(), {face, column, row});
+    // No branches: which way they go is a toss-up.
+    for (std::size_t k = 0; k < n; ++k) {
+      const DirectionBins::Bin bin = {face[k], std::min(column[k], bins_.side() - 1),
+                                      std::min(row[k], bins_.side() - 1)};
+      const CubeMap::Window& w = map_.window(bin.face);
+      const bool asked = !(inlier && inlier[first + k]) & w.contains(bin);
+      const float squared = (x[k] * x[k] + y[k] * y[k]) + z[k] * z[k];
+      count += asked & (squared < squared_free_range_[asked ? w.index(bin.column, bin.row) : 0]);
+    }
   }
   return count;
 }

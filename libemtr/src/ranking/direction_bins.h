@@ -32,6 +32,8 @@ class DirectionBins {
     return on_face(y > 0 ? 4 : 5, z, x, ay);
   }
 
+  float half_side() const { return half_side_; }  ///< as the kernels ask for it
+
  private:
   Bin on_face(std::int32_t face, float a, float b, float depth) const {
     const float inverse = 1.0f / std::max(depth, 1e-20f);

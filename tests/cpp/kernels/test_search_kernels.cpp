@@ -8,6 +8,7 @@
 #include "geometry/euler.h"
 #include "kernels/search_kernels.h"
 #include "neighbors/cells.h"
+#include "ranking/direction_bins.h"
 #include "support/clouds.h"
 
 namespace {
@@ -115,6 +116,28 @@ TEST(SearchKernels, RhoPieceByPieceIsRhoAtOnce) {
         search_kernels(*k).add_rho(&squared[i], std::min<std::size_t>(16, n - i), 0.9f, lanes);
       EXPECT_EQ(emtr::total_of_lanes(lanes), k->rho_sum(squared.data(), n, 0.9f)) << k->name;
     }
+}
+
+TEST(SearchKernels, DirectionsHaveTheBinsOfTheirFaces) {
+  const double viewpoint[3] = {0, 0, 0}, facing[3] = {0, 0, 1};
+  const emtr::DirectionBins bins(viewpoint, facing, 0.01);
+  Cloud d = uniform_cloud(1000, 7);
+  for (const float x : {-1.0f, 0.0f, 1.0f})  // corners, edges and middles of faces
+    for (const float y : {-1.0f, 0.0f, 1.0f})
+      for (const float z : {-1.0f, 0.0f, 1.0f}) emtr_test::push(d, x, y, z);
+  const std::size_t n = d.size();
+  d.resize(n + 16);
+  for (const Kernels* k : kernels_here()) {
+    std::vector<std::int32_t> face(n + 16), column(n + 16), row(n + 16);
+    search_kernels(*k).direction_bins({d.x.data(), d.y.data(), d.z.data(), n}, bins.half_side(),
+                                      {face.data(), column.data(), row.data()});
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto expected = bins(d.x[i], d.y[i], d.z[i]);
+      ASSERT_EQ(face[i], expected.face) << k->name << " " << i;
+      ASSERT_EQ(std::min(column[i], bins.side() - 1), expected.column);
+      ASSERT_EQ(std::min(row[i], bins.side() - 1), expected.row);
+    }
+  }
 }
 
 TEST(SearchKernels, VotesGoToTheCellsOfTheTranslations) {
