@@ -12,8 +12,8 @@ namespace emtr {
 /// A cloud with the directions of its surface, in the normalized frame, in any order.
 struct Surface {
   Cloud points;
-  Cloud normals;    ///< one a point; unit length, either sign, NaN where there is none
-  double leaf = 0;  ///< spacing of the points, above 0
+  Cloud normals;         ///< one a point; unit length, either sign, NaN where there is none
+  double leaf = 0;       ///< spacing of the points, above 0
   bool weighted = true;  ///< by its distinctiveness() in a score
 };
 
