@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "kernels/kernels.h"
 #include "pipeline/problem.h"
 #include "pipeline/progress.h"
 #include "pipeline/small_in_large.h"
@@ -85,6 +86,7 @@ std::unique_ptr<Result> register_both_ways(Run& run, Sizes sizes) {
 
 std::unique_ptr<Result> register_clouds(InputCloud& source, InputCloud& target,
                                         const Settings& settings, CancellationToken& token) {
+  select_kernels();  // an instruction set that is not there is refused before the clouds are read
   Run run{source, target, settings, token, {}};
   Stopwatch stopwatch;
   const Sizes sizes = sizes_of(run);

@@ -135,7 +135,7 @@ def describe(
     return {
         "command": " ".join(words),
         "motions": f"{transforms} motions each{generated}",
-        "made": f"emtr {pyemtr.__version__} at {known['revision']}, {known['date']}, "
+        "made": f"emtr at {known['revision']}, {known['date']}, "
         f"{arguments.jobs} runs at a time of {arguments.threads} thread each, "
         f"{known['cpu']}, {known['cpus']} processors, load average {os.getloadavg()[0]:.1f}",
     }
