@@ -33,7 +33,7 @@ void vote(const VotePair* pairs, std::size_t n, const double* const source[2],
   std::size_t i = 0;
   for (; i + kAtOnce <= n; i += kAtOnce) {
     cells_of_pairs(pairs + i, kAtOnce, source, target, cells, cell);
-    for (std::size_t l = 0; l < kAtOnce; ++l) ++votes[cell[l]];
+    for (const auto c : cell) ++votes[c];
   }
   cells_of_pairs(pairs + i, n - i, source, target, cells, cell);
   for (std::size_t l = 0; i + l < n; ++l) ++votes[cell[l]];

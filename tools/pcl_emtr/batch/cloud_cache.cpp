@@ -24,7 +24,7 @@ ReadCloudPtr CloudCache::get(const std::string& key, const std::function<ReadClo
 ReadCloudPtr CloudCache::read_now(const std::string& key, std::promise<ReadCloudPtr>& promise,
                                   const std::function<ReadCloudPtr()>& read) {
   try {
-    const ReadCloudPtr made = read();
+    ReadCloudPtr made = read();
     const std::lock_guard<std::mutex> lock(mutex_);
     entries_[key].bytes = made->bytes;
     bytes_ += made->bytes;

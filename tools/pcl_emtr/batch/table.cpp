@@ -36,6 +36,7 @@ std::string line(const Json& record) {
     return record.contains(name) ? record[name] : Json();
   };
   std::vector<std::string> cells;
+  cells.reserve(kPlain.size() + kQuality.size() + 2 + 16);
   for (const auto& name : kPlain) cells.push_back(cell(record, name));
   for (const auto& name : kQuality) cells.push_back(cell(group("quality"), name));
   cells.push_back(cell(group("seconds"), "total"));
