@@ -97,8 +97,7 @@ int run(int argc, char** argv) {
   if (options.residuals) residuals = measure_residuals(source, target, options, *result);
   write_outputs(options, source, target, *result, residuals, hint);
   if (!options.output.empty()) messages.saved(options.output, "4x4 matrix");
-  if (options.aligned_as)
-    messages.saved(options.aligned, saved_text(source, *options.aligned_as));
+  if (options.aligned_as) messages.saved(options.aligned, saved_text(source, *options.aligned_as));
   if (!options.report.empty()) messages.saved(options.report, "report");
   if (!options.html.empty()) messages.saved(options.html, "page");
   return exit_code(*result);
