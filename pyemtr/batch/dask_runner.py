@@ -89,6 +89,9 @@ class DaskRunner:
             self._client.cancel(list(self._futures.values()), force=True)
         self._sent.clear()
         self._futures.clear()
+        with contextlib.suppress(queue.Empty):
+            while True:  # each keeps its result on the cluster as long as it is referred to
+                self._done.get_nowait()
 
     def _submit(self, pairs: Sequence[Pair], attempt: int) -> None:
         sent, scattered = [], {}
