@@ -19,8 +19,8 @@ from .executors import cluster
 from .speed import SETTINGS
 
 _CALL = (
-    "import sys, pyemtr; pyemtr.register_many(sys.argv[1], out=sys.argv[2], workers=2,"
-    " preset='fast')"
+    "import sys; sys.path = [p for p in sys.path if p]; import pyemtr;"  # not that of the folder
+    " pyemtr.register_many(sys.argv[1], out=sys.argv[2], workers=2, preset='fast')"
 )
 
 
