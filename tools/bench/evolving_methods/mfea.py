@@ -18,25 +18,37 @@ MATING = 0.3  # rmp
 
 
 def optimise(problem: Problem, rng: np.random.Generator) -> None:
-    tasks = len(problem.tasks)
-    size = PER_TASK * tasks
-    x = rng.random((size, problem.dimensions))
-    costs = np.stack([problem.evaluate(x, k) for k in range(tasks)], axis=1)
-    skill = skills(costs, rng)
-    fitness = costs[np.arange(size), skill]
+    x, skill, fitness = first_generation(problem, rng)
     while not problem.spent:
         children, child_skill = offspring(x, skill, MATING, rng)
-        child_fitness = np.full(len(children), np.inf)
-        for k in range(tasks):
-            mine = child_skill == k
-            if mine.any():
-                child_fitness[mine] = problem.evaluate(children[mine], k)
-        x, skill, fitness = survivors(
-            np.concatenate([x, children]),
-            np.concatenate([skill, child_skill]),
-            np.concatenate([fitness, child_fitness]),
-            size, tasks,
-        )  # fmt: skip
+        x, skill, fitness = next_generation(problem, x, skill, fitness, children, child_skill)
+
+
+def first_generation(problem: Problem, rng: np.random.Generator) -> tuple[Array, Array, Array]:
+    """Random individuals, evaluated for all tasks: (P, n), their skill and their fitness in it."""
+    tasks = len(problem.tasks)
+    x = rng.random((PER_TASK * tasks, problem.dimensions))
+    costs = np.stack([problem.evaluate(x, k) for k in range(tasks)], axis=1)
+    skill = skills(costs, rng)
+    return x, skill, costs[np.arange(len(x)), skill]
+
+
+def next_generation(
+    problem: Problem, x: Array, skill: Array, fitness: Array, children: Array, child_skill: Array
+) -> tuple[Array, Array, Array]:
+    """The survivors of parents and children; the children are evaluated for their skill alone."""
+    tasks = len(problem.tasks)
+    child_fitness = np.full(len(children), np.inf)
+    for k in range(tasks):
+        mine = child_skill == k
+        if mine.any():
+            child_fitness[mine] = problem.evaluate(children[mine], k)
+    return survivors(
+        np.concatenate([x, children]),
+        np.concatenate([skill, child_skill]),
+        np.concatenate([fitness, child_fitness]),
+        len(x), tasks,
+    )  # fmt: skip
 
 
 def ranks(costs: Array) -> Array:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .mfea import PER_TASK, skills, survivors
+from .mfea import first_generation, next_generation
 from .operators import polynomial_mutation, simulated_binary_crossover
 from .problem import Array, Problem
 
@@ -21,11 +21,7 @@ GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 def optimise(problem: Problem, rng: np.random.Generator) -> None:
     tasks = len(problem.tasks)
-    size = PER_TASK * tasks
-    x = rng.random((size, problem.dimensions))
-    costs = np.stack([problem.evaluate(x, k) for k in range(tasks)], axis=1)
-    skill = skills(costs, rng)
-    fitness = costs[np.arange(size), skill]
+    x, skill, fitness = first_generation(problem, rng)
     while not problem.spent:
         mating = np.zeros((tasks, tasks))
         for k in range(tasks):
@@ -34,17 +30,7 @@ def optimise(problem: Problem, rng: np.random.Generator) -> None:
                 rmp = learned_mating(x[skill == k, :shared], x[skill == j, :shared], tasks, rng)
                 mating[k, j] = mating[j, k] = rmp
         children, child_skill = _offspring(x, skill, mating, rng)
-        child_fitness = np.full(len(children), np.inf)
-        for k in range(tasks):
-            mine = child_skill == k
-            if mine.any():
-                child_fitness[mine] = problem.evaluate(children[mine], k)
-        x, skill, fitness = survivors(
-            np.concatenate([x, children]),
-            np.concatenate([skill, child_skill]),
-            np.concatenate([fitness, child_fitness]),
-            size, tasks,
-        )  # fmt: skip
+        x, skill, fitness = next_generation(problem, x, skill, fitness, children, child_skill)
 
 
 def learned_mating(a: Array, b: Array, tasks: int, rng: np.random.Generator) -> float:
