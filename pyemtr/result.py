@@ -271,12 +271,13 @@ class Result:
             TypeError, ValueError: not a cloud, no finite point, or an argument out of range.
             OSError: a file cannot be read or written.
         """
-        from .html import write_page
+        from .html import page_payload, write_page
 
-        write_page(
-            self, path, source, target, title=title, names=names, unit=unit, up=up,
+        payload = page_payload(
+            self, source, target, title=title, names=names, unit=unit, up=up,
             max_points=max_points, threads=threads, mesh_points=mesh_points,
         )  # fmt: skip
+        write_page(payload, path)
 
     def to_dict(self) -> dict[str, Any]:
         """Returns all fields as JSON values: lists for arrays, None for NaN and infinities, a dict

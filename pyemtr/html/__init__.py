@@ -6,6 +6,6 @@ one file that loads nothing.
 """
 
 from .index import IndexEntry, write_index
-from .page import write_page
+from .page import page_payload, write_page
 
-__all__ = ["IndexEntry", "write_index", "write_page"]
+__all__ = ["IndexEntry", "page_payload", "write_index", "write_page"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,26 +24,9 @@ MAX_POINTS = 30_000
 _MOST = 100_000  # points of a cloud, with which a page stays below 6 MB
 
 
-def write_page(
-    result: Result,
-    path: str | os.PathLike[str],
-    source: Any,
-    target: Any,
-    *,
-    title: str = "",
-    names: Sequence[str] | None = None,
-    unit: str = "",
-    up: Sequence[float] | None = None,
-    max_points: int = MAX_POINTS,
-    threads: int = 0,
-    mesh_points: int = MESH_POINTS,
-) -> None:
-    """Writes the page; :meth:`pyemtr.Result.to_html` has the arguments and the errors."""
-    payload = page_payload(
-        result, source, target, title=title, names=names, unit=unit, up=up,
-        max_points=max_points, threads=threads, mesh_points=mesh_points,
-    )  # fmt: skip
-    write_whole(Path(path), page_with(payload).encode())
+def write_page(payload: dict[str, Any], path: str | os.PathLike[str]) -> None:
+    """Writes the page that shows a :func:`page_payload`, whole or not at all. Raises OSError."""
+    write_whole(path, page_with(payload).encode())
 
 
 def page_payload(
@@ -60,7 +42,8 @@ def page_payload(
     threads: int = 0,
     mesh_points: int = MESH_POINTS,
 ) -> dict[str, Any]:
-    """Returns what the page shows, as JSON values: the report, the points and their residuals."""
+    """Returns what the page shows, as JSON values: the report, the points and their residuals.
+    :meth:`pyemtr.Result.to_html` has the arguments and the errors."""
     if not 1 <= max_points <= _MOST:
         raise ValueError(f"max_points: expected 1 to {_MOST}, got {max_points}")
     if up is None:
