@@ -22,6 +22,18 @@ Features describe_towards(const Cloud& cloud, const Cloud& normals, bool trust,
 
 }  // namespace
 
+std::vector<Rigid> poses_of_matches(const Cloud& source, const Cloud& target,
+                                    const std::vector<Correspondence>& matches, double leaf,
+                                    const Settings& settings, const Kernels& kernels, int threads) {
+  const double threshold = settings.seed_threshold * leaf;
+  const Consistency consistency(source, target, matches, threshold, kernels, threads);
+  std::vector<Rigid> out;
+  for (const Seed& seed : find_seeds(consistency, threshold,
+                                     static_cast<std::size_t>(settings.fallback_seeds), threads))
+    out.push_back(seed.pose);
+  return out;
+}
+
 std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
                                        const std::optional<Viewpoint>& source_viewpoint,
                                        const std::optional<Viewpoint>& target_viewpoint,
@@ -43,12 +55,9 @@ std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
     const auto matches = match_distinctive(
         source_features, target, kNearest,
         static_cast<std::size_t>(settings.fallback_correspondences), kernels, threads);
-    const double threshold = settings.seed_threshold * d.leaf_dense;
-    const Consistency consistency(d.source_dense, d.target_dense, matches, threshold, kernels,
-                                  threads);
-    for (const Seed& seed : find_seeds(consistency, threshold,
-                                       static_cast<std::size_t>(settings.fallback_seeds), threads))
-      out.push_back(seed.pose);
+    const auto poses = poses_of_matches(d.source_dense, d.target_dense, matches, d.leaf_dense,
+                                        settings, kernels, threads);
+    out.insert(out.end(), poses.begin(), poses.end());
   };
   search(source);
   const auto believed = [](const std::optional<Viewpoint>& v) { return v && v->trust == 1; };

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "correspondences/correspondence.h"
+#include "geometry/cloud.h"
 #include "geometry/rigid.h"
 #include "kernels/kernels.h"
 #include "preprocessing/normalization.h"
@@ -21,5 +23,11 @@ std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
                                        const std::optional<Viewpoint>& target_viewpoint,
                                        const Settings& settings, const Kernels& kernels,
                                        int threads);
+
+/// Returns the poses that consistent matches agree on, at most `fallback_seeds`, those with the
+/// most inliers first. `leaf`: of both clouds, normalized frame.
+std::vector<Rigid> poses_of_matches(const Cloud& source, const Cloud& target,
+                                    const std::vector<Correspondence>& matches, double leaf,
+                                    const Settings& settings, const Kernels& kernels, int threads);
 
 }  // namespace emtr

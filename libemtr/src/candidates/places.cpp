@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "candidates/fallback_search.h"
 #include "correspondences/matching.h"
 #include "features/fpfh.h"
 #include "neighbors/resolution.h"
-#include "seeds/seeds.h"
 #include "util/thread_team.h"
 #include "voxels/voxel_counter.h"
 #include "voxels/voxel_grid.h"
@@ -70,13 +70,8 @@ std::vector<Rigid> find_places(const Cloud& small, const Cloud& large, const Set
   const auto count = static_cast<std::int32_t>(part.size());
   for (Correspondence& match : matches) match.source %= count;
 
-  const double threshold = settings.seed_threshold * static_cast<double>(leaf);
-  const Consistency consistency(part, whole, matches, threshold, kernels, threads);
-  std::vector<Rigid> out;
-  for (const Seed& seed : find_seeds(consistency, threshold,
-                                     static_cast<std::size_t>(settings.fallback_seeds), threads))
-    out.push_back(seed.pose);
-  return out;
+  return poses_of_matches(part, whole, matches, static_cast<double>(leaf), settings, kernels,
+                          threads);
 }
 
 }  // namespace emtr
