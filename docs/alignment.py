@@ -39,12 +39,16 @@ def row_of_panels(picture: Image.Image) -> Image.Image:
     return row
 
 
-def main() -> None:
-    with Image.open(DRAWN) as drawn:
-        row = row_of_panels(drawn.convert("RGB"))
+def save_panels(drawn: Path, written: Path) -> None:
+    with Image.open(drawn) as picture:
+        row = row_of_panels(picture.convert("RGB"))
     small = row.quantize(COLORS, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
-    small.save(WRITTEN, optimize=True)
-    print(f"{WRITTEN}: {row.width} x {row.height}, {WRITTEN.stat().st_size // 1000} KB")
+    small.save(written, optimize=True)
+    print(f"{written}: {row.width} x {row.height}, {written.stat().st_size // 1000} KB")
+
+
+def main() -> None:
+    save_panels(DRAWN, WRITTEN)
 
 
 if __name__ == "__main__":

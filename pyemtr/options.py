@@ -78,7 +78,7 @@ def make_settings(
         raise TypeError(f"preset: a name is expected, got {type(preset).__name__}")
     chosen = _emtr.Settings(preset)
     known = settings()
-    for name, value in changes.items():
+    for name, value in _plain_scale(changes).items():
         if name not in known:
             raise TypeError(
                 unknown_setting(
@@ -89,6 +89,27 @@ def make_settings(
     chosen.set("threads", float(_whole("threads", threads)))
     chosen.seed = _seed(seed)
     return chosen
+
+
+def _plain_scale(changes: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Returns the changes with a scale that is given by numbers as settings of the library: one
+    number, which is known, or the bounds of an unknown one."""
+    value = changes.get("scale")
+    if value is None or isinstance(value, (str, bool, np.bool_)):
+        return changes
+    bounds = (value, value) if isinstance(value, numbers.Real) else value
+    try:
+        low, high = bounds
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"scale: expected 'free', 'units', a number or its two bounds, got {value!r}"
+        ) from None
+    for name in ("scale_minimum", "scale_maximum"):
+        if name in changes:
+            raise TypeError(f"{name}: given beside the bounds in scale={value!r}")
+    if low == high == 1:
+        return {**changes, "scale": "fixed"}
+    return {**changes, "scale": "bounded", "scale_minimum": low, "scale_maximum": high}
 
 
 def thread_setting(threads: int) -> int:

@@ -10,9 +10,9 @@ class Progress(NamedTuple):
     """Passed to the callback before each stage, after each iteration, and about every 20 ms.
 
     Attributes:
-        stage: "normalization", "downsampling", "features", "matching", "seeds", "evolution",
-            "candidates", "fallback_search", "refinement" or "verdict", in this order. A preset
-            without a stage skips it.
+        stage: "normalization", "scale_search", "downsampling", "features", "matching", "seeds",
+            "evolution", "candidates", "fallback_search", "refinement" or "verdict", in this order.
+            A preset without a stage skips it.
         iteration, iterations: how many are done, and how many there are in all.
         best_alpha, best_beta: the best fitness so far of the two tasks, lower is better. Alpha's
             scale changes at the switch from sparse to dense.
@@ -79,6 +79,7 @@ def _shares(settings: Mapping[str, Any]) -> dict[str, float]:
     again = ranked and settings["fallback_search"] == "always"
     return {
         "normalization": 2,
+        "scale_search": 0 if settings["scale"] == "fixed" else 200,
         "downsampling": 8,
         "features": 25 if settings["features"] == "pcl" else 5,
         "matching": 20,

@@ -29,11 +29,14 @@ class Result:
     """A pose, and how far to trust it. Lengths are in the user's unit unless said otherwise.
 
     Attributes:
-        transformation: float64 (4, 4), source into target: q = R p + t. Writable, and the caller's
-            own. The best pose so far when the run was stopped, all NaN when none was known yet.
+        transformation: float64 (4, 4), source into target: q = R p + t, or q = s R p + t where the
+            scale was searched. Writable, and the caller's own. The best pose so far when the run
+            was stopped, all NaN when none was known yet.
+        scale: factor s of the source's lengths; 1 unless it was searched, NaN when no pose is
+            known.
         registered: True when the pose is taken to be right.
         reason: "registered", "low_overlap", "ambiguous", "few_matches", "interrupted",
-            "degenerate", "time_limit", "mirrored" or "scale".
+            "degenerate", "time_limit", "mirrored", "scale" or "free_scale".
         reason_text: the reason in a few words.
         fitness: mean M-estimator over both dense clouds, 0 (best) to 1.
         inlier_ratio_source, inlier_ratio_target: share of dense points with a neighbor in the
@@ -95,6 +98,11 @@ class Result:
         information: float64 (6, 6), inverse covariance of the pose for a small rotation w
             (radians) followed by a translation v (the user's unit) about ``center_target`` c:
             q = exp(w) (R p + t - c) + c + v. NaN when not refined, like the next two.
+        information_similarity: float64 (7, 7): as ``information`` for the first six, then the
+            logarithm l of the scale about c: q = e^l exp(w) (s R p + t - c) + c + v. NaN unless
+            the scale was searched and the pose refined, like the next.
+        scale_constraint: how strongly the surfaces constrain the scale, 0 (not at all, as planes
+            and cones) to about 1 (a sphere).
         hessian_eigenvalues: float64 (6,), ascending: how strongly the matched surfaces constrain
             the pose, from 0 for a motion along the surfaces to about 1.
         hessian_eigenvectors: float64 (6, 6), row i a unit vector for eigenvalue i: rotation, as
@@ -105,6 +113,7 @@ class Result:
     """
 
     transformation: Floats
+    scale: float
     registered: bool
     reason: str
     reason_text: str
@@ -161,10 +170,22 @@ class Result:
     symmetry_axis: Floats
     symmetry_period: float
     information: Floats
+    information_similarity: Floats
+    scale_constraint: float
     hessian_eigenvalues: Floats
     hessian_eigenvectors: Floats
     unconstrained_directions: int | None
     settings: dict[str, Any]
+
+    @property
+    def rotation(self) -> Floats:
+        """R, float64 (3, 3)."""
+        return np.asarray(self.transformation[:3, :3] / self.scale)
+
+    @property
+    def translation(self) -> Floats:
+        """t, float64 (3,), the user's unit."""
+        return np.array(self.transformation[:3, 3])
 
     def apply(self, points: Any) -> Floats:
         """Moves points from the source's into the target's frame.
@@ -189,10 +210,10 @@ class Result:
         return np.asarray(source @ self.transformation[:3, :3].T + self.transformation[:3, 3])
 
     def inverse(self) -> Floats:
-        """Returns the transformation of the target into the source, p = R^T (q - t): float64
+        """Returns the transformation of the target into the source, p = R^T (q - t) / s: float64
         (4, 4). All NaN where no pose was known."""
         inverse = np.eye(4)
-        inverse[:3, :3] = self.transformation[:3, :3].T
+        inverse[:3, :3] = self.rotation.T / self.scale
         inverse[:3, 3] = -inverse[:3, :3] @ self.transformation[:3, 3]
         return inverse
 

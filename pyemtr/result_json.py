@@ -14,6 +14,7 @@ from .arrays import Floats
 _SHAPES = {
     "transformation": (4, 4),
     "information": (6, 6),
+    "information_similarity": (7, 7),
     "hessian_eigenvectors": (6, 6),
     "hessian_eigenvalues": (6,),
 }

@@ -6,6 +6,7 @@ from typing import Any, Literal, TypedDict, Union
 
 Switch = Union[bool, Literal["on", "off"]]
 When = Literal["off", "auto", "always"]
+Scale = Union[Literal["fixed", "free", "bounded", "units"], float, tuple[float, float]]
 
 
 class MethodSettings(TypedDict, total=False):
@@ -66,6 +67,10 @@ class MethodSettings(TypedDict, total=False):
     parts: int
     refine: Switch
     refine_leaf: float
+    scale: Scale
+    scale_minimum: float
+    scale_maximum: float
+    task_gamma: Switch
     maximum_fitness: float
     minimum_fitness_gap: float
     minimum_confidence: float

@@ -21,6 +21,8 @@ NEEDED = {
     "dense_points": ["--sparse-points", "50"],
     "feature_radius": ["--normal-radius", "1"],
     "complement_scale_start": ["--complement-scale-end", "0.001"],
+    "scale_minimum": ["--scale", "bounded"],
+    "scale_maximum": ["--scale", "bounded"],
     "guess_rotation": ["--guess", "guess.txt"],
     "guess_translation": ["--guess", "guess.txt"],
     "axis_tilt": ["--axis", "0", "0", "1"],
@@ -59,6 +61,8 @@ def other(name: str, kind: str, text: str) -> tuple[str, object]:
     """A value that is not the default, and how the report writes it: the least number, the last
     choice, the other position of a switch."""
     if name in ("seed", "threads"):
+        return "2", 2
+    if name == "scale_maximum":  # the least leaves nothing of the source beside the target
         return "2", 2
     if kind == "on|off":
         on = "default off" in text

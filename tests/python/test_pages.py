@@ -69,7 +69,11 @@ def test_the_tour_prints_what_it_says(sample: Path, tmp_path: Path) -> None:
     (number,) = (n for n, (language, _) in enumerate(snippets) if language == "python")
     folder = shutil.copytree(sample, tmp_path / "sample")
     printed = run([sys.executable, "-c", snippets[number][1]], folder).stdout
-    assert printed == snippets[number + 1][1]
+    told = snippets[number + 1][1]
+    assert re.sub(r"[\d.]+", "#", printed) == re.sub(r"[\d.]+", "#", told)
+    # The sample is made by numpy, whose last digits differ between processors.
+    numbers = [[float(n) for n in re.findall(r"\d+\.?\d*", text)] for text in (printed, told)]
+    assert numbers[0] == pytest.approx(numbers[1], rel=0.04)
     assert (folder / "picture.png").stat().st_size > 50_000
     source = np.loadtxt(folder / "source.xyz")
     np.testing.assert_array_equal(source, np.load(sample / "source.npy"))

@@ -24,7 +24,11 @@ def test_every_setting_has_a_type_in_the_table_s_order() -> None:
 def test_the_type_is_that_of_the_table(name: str) -> None:
     setting = ALL[name]
     plain = {"integer": int, "real": float, "switch": Switch}
-    if setting.type == "choice":
+    if name == "scale":  # one of the choices, or numbers that stand for "bounded"
+        choices, *numbers = typing.get_args(TYPES[name])
+        assert typing.get_args(choices) == setting.choices
+        assert numbers == [float, tuple[float, float]]
+    elif setting.type == "choice":
         assert typing.get_args(TYPES[name]) == setting.choices
     else:
         assert TYPES[name] == plain[setting.type]

@@ -148,6 +148,16 @@ typedef enum emtr_neighbors {
   EMTR_NEIGHBORS_BRUTE_FORCE = 2
 } emtr_neighbors;
 
+/* Chooses the scales of the source's lengths that are searched. */
+typedef enum emtr_scale {
+  EMTR_SCALE_FIXED = 0, /* none: both clouds have one unit, and the transformation is rigid */
+  EMTR_SCALE_FREE = 1,  /* any */
+  EMTR_SCALE_BOUNDED =
+      2,               /* from scale_minimum to scale_maximum; one number, if these are the same */
+  EMTR_SCALE_UNITS = 3 /* factors between units: 1, 10, 12, 25.4, 100, 304.8, 1000, and 1 over
+                          these */
+} emtr_scale;
+
 /* Fill it by emtr_settings_init(), then change single fields.
  *
  * The command line and Python use the same names. Lengths are multiples of a leaf, of the
@@ -243,6 +253,13 @@ typedef struct emtr_settings {
   int32_t refine;     /* 0: off */
   double refine_leaf; /* radii */
 
+  /* unknown scale of the source: then the transformation is a similarity, q = s R p + t, and the
+   * priors and the guess speak of its R and t */
+  int32_t scale; /* an emtr_scale */
+  double scale_minimum;
+  double scale_maximum;
+  int32_t task_gamma; /* 0: no votes for scales, only even steps (ablation) */
+
   /* verdict */
   double maximum_fitness;
   double minimum_fitness_gap;
@@ -328,7 +345,8 @@ typedef enum emtr_reason {
   EMTR_REASON_DEGENERATE = 5,  /* the surfaces leave a motion along themselves unconstrained */
   EMTR_REASON_TIME_LIMIT = 6,  /* the setting time_limit stopped the run */
   EMTR_REASON_MIRRORED = 7,    /* the mirror image of the source fits better */
-  EMTR_REASON_SCALE = 8        /* the source fits better at another scale: see scale_factor */
+  EMTR_REASON_SCALE = 8,       /* the source fits better at another scale: see scale_factor */
+  EMTR_REASON_FREE_SCALE = 9   /* a pose was found, but the surfaces leave the scale open */
 } emtr_reason;
 
 /* Another pose that the clouds could have. */
@@ -345,7 +363,8 @@ typedef struct emtr_alternative {
 typedef struct emtr_result {
   size_t size; /* sizeof(emtr_result) as the library was compiled */
 
-  double transformation[16]; /* source into target, row-major, user's unit, R orthonormal. If the
+  double transformation[16]; /* source into target, row-major, user's unit, R orthonormal, times
+                                the scale where that was searched. If the
                                 run was stopped (reasons INTERRUPTED and TIME_LIMIT): the best pose
                                 so far, all NaN if none was known */
   int32_t registered;        /* 1: the pose is probably right; 0: it is doubtful */
@@ -465,6 +484,18 @@ typedef struct emtr_result {
   int32_t symmetry_order;  /* 0 unless rotational */
   double symmetry_axis[3]; /* in the target's axes, unit length; NaN where there is no symmetry */
   double symmetry_period;  /* user's unit; 0 where any length is one; NaN unless translational */
+
+  /* of the source's lengths: q = scale R p + t. 1 where it was not searched; NaN when no pose is
+   * known */
+  double scale;
+  /* How strongly the surfaces constrain the scale, 0 (a plane, a cone or a corner of planes, which
+   * leave it open) to about 1 (a sphere). NaN where it was not searched or refined */
+  double scale_constraint;
+  /* Information matrix (7, 7), row-major, of a similarity: as `information` for the first six, then
+   * the logarithm of the scale about center_target, q = e^l exp(w) (s R p + t - c) + c + v. NaN
+   * where the scale was not searched or refined */
+  double information_similarity[49];
+  double seconds_scale_search;
 } emtr_result;
 
 /* Registers the source to the target.
@@ -483,7 +514,8 @@ EMTR_API void emtr_result_free(emtr_result* result);
 EMTR_API const char* emtr_reason_text(emtr_reason reason);
 
 /* Returns the short name of a reason, which no version changes: "registered", "low_overlap",
- * "ambiguous", "few_matches", "interrupted", "degenerate", "time_limit", "mirrored", "scale".
+ * "ambiguous", "few_matches", "interrupted", "degenerate", "time_limit", "mirrored", "scale",
+ * "free_scale".
  * "unknown" for any other number. */
 EMTR_API const char* emtr_reason_name(emtr_reason reason);
 
@@ -600,8 +632,10 @@ EMTR_API void emtr_set_interrupt(emtr_interrupt_fn interrupt, void* user);
  * either may be null. Points with a NaN or an infinity get NaN. The distances are exact to 1e-6 of
  * the other cloud's size, or of the distance if that is larger. One finite point in each cloud
  * suffices, in any shape. `threads` as in the settings; no number changes the result.
- * Errors: EMTR_ERROR_ARGUMENT for a transformation that is not rigid, EMTR_ERROR_SETTING for
- * `threads`, EMTR_ERROR_CLOUD. While PCL builds its kd-tree the call cannot be interrupted. */
+ * The transformation may have a scale, as that of a result has; the distances are in the target's
+ * unit. Errors: EMTR_ERROR_ARGUMENT for one that is no similarity,
+ * EMTR_ERROR_SETTING for `threads`, EMTR_ERROR_CLOUD. While PCL builds its kd-tree the call cannot
+ * be interrupted. */
 EMTR_API emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
                                     const double transformation[16], int32_t threads,
                                     double* source_residuals, double* target_residuals);

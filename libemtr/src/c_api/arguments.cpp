@@ -27,6 +27,15 @@ Settings settings_or_preset(const emtr_settings* settings) {
   return settings ? checked(settings) : preset("default");
 }
 
+Similarity checked_similarity(const double transformation[16]) {
+  const std::optional<Similarity> similarity = similarity_from_matrix(transformation);
+  if (!similarity)
+    throw Error(EMTR_ERROR_ARGUMENT,
+                "transformation: expected a row-major 4x4 of a rotation, times a scale or not, a "
+                "translation and (0, 0, 0, 1)");
+  return *similarity;
+}
+
 Rigid checked_pose(const double transformation[16]) {
   if (!is_rigid(transformation))
     throw Error(EMTR_ERROR_ARGUMENT,

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-#include "geometry/rigid.h"
+#include "geometry/similarity.h"
 #include "settings/settings.h"
 #include "util/error.h"
 
@@ -38,6 +38,9 @@ const Settings& checked(const emtr_settings* settings);
 
 /// Returns the settings as checked() does, or preset "default" for a null pointer.
 Settings settings_or_preset(const emtr_settings* settings);
+
+/// Returns the similarity of a matrix; throws Error when it is none.
+Similarity checked_similarity(const double transformation[16]);
 
 /// Returns the pose of a matrix; throws Error when it is not a rigid transformation.
 Rigid checked_pose(const double transformation[16]);

@@ -51,6 +51,8 @@ const char* emtr_reason_name(emtr_reason reason) {
       return "mirrored";
     case EMTR_REASON_SCALE:
       return "scale";
+    case EMTR_REASON_FREE_SCALE:
+      return "free_scale";
   }
   return "unknown";
 }
@@ -74,7 +76,10 @@ const char* emtr_reason_text(emtr_reason reason) {
     case EMTR_REASON_MIRRORED:
       return "the mirror image of the source fits better: one of the clouds seems to be mirrored";
     case EMTR_REASON_SCALE:
-      return "the source fits better at another scale: see scale_factor";
+      return "the source fits better at another scale: see scale_factor; setting 'scale' searches "
+             "it";
+    case EMTR_REASON_FREE_SCALE:
+      return "the surfaces leave the scale unconstrained";
   }
   return "unknown reason";
 }

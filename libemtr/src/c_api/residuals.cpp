@@ -13,8 +13,9 @@ emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* target,
                            const double transformation[16], int32_t threads, double* of_source,
                            double* of_target) {
   return emtr::guarded([&] {
-    const emtr::Rigid pose = transformation ? emtr::checked_pose(transformation) : emtr::Rigid();
-    emtr::residuals(required(source, "source"), required(target, "target"), pose,
+    const emtr::Similarity similarity =
+        transformation ? emtr::checked_similarity(transformation) : emtr::Similarity();
+    emtr::residuals(required(source, "source"), required(target, "target"), similarity,
                     emtr::checked_threads(threads), of_source, of_target);
   });
 }

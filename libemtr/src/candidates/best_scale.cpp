@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "candidates/changed_source.h"
+#include "geometry/similarity.h"
 #include "geometry/small_motion.h"
-#include "geometry/transform.h"
 #include "preprocessing/normalization.h"
 
 namespace emtr {
@@ -20,11 +20,6 @@ constexpr double kNegligible = 0.05;           // of its logarithm
 constexpr int kIterations = 15;
 constexpr double kFirstCutOff = 4, kLastCutOff = 1, kShrink = 0.85;  // leaves
 constexpr double kDamping = 1e-4;  // of the sum of weights: a plane has no scale to be found
-
-struct Similarity {
-  Rigid pose;
-  double factor = 1;
-};
 
 Vector3d row(const Cloud& cloud, std::size_t i) {
   return {double{cloud.x[i]}, double{cloud.y[i]}, double{cloud.z[i]}};
@@ -42,7 +37,7 @@ Surface scaled(const Surface& surface, double factor) {
 /// a small rotation, a translation, and the logarithm of the factor.
 void step(const SurfacePair& surfaces, double cut_off, const Kernels& kernels, Similarity& at) {
   const Surface& source = surfaces.source();
-  const Cloud moved = scaled(source, at.factor).points;
+  const Cloud moved = scaled(source, at.scale).points;
   const std::size_t n = moved.size();
   Cloud y;
   y.resize(n);
@@ -72,22 +67,22 @@ void step(const SurfacePair& surfaces, double cut_off, const Kernels& kernels, S
   const Vector7 x = -H.ldlt().solve(g);
   if (!x.allFinite()) return;
   // A change of scale about the source's centroid, which the pose maps to its translation.
-  at.factor = std::clamp(at.factor * std::exp(std::clamp(x[6], -0.1, 0.1)), kLeast, kMost);
+  at.scale = std::clamp(at.scale * std::exp(std::clamp(x[6], -0.1, 0.1)), kLeast, kMost);
   at.pose = emtr::moved(at.pose, x.data());
 }
 
 }  // namespace
 
 Rescaled best_scale(const SurfacePair& surfaces, const Rigid& pose, const Kernels& kernels) {
-  Similarity at{pose, 1};
+  Similarity at{1, pose};
   double cut_off = kFirstCutOff;
   for (int i = 0; i < kIterations; ++i) {
     step(surfaces, cut_off * surfaces.target().leaf, kernels, at);
     cut_off = std::max(kLastCutOff, kShrink * cut_off);
   }
   Rescaled out;
-  if (std::abs(std::log(at.factor)) < kNegligible) return out;
-  out.factor = std::round(at.factor * 1e6) / 1e6;  // digits that every C library agrees on
+  if (std::abs(std::log(at.scale)) < kNegligible) return out;
+  out.factor = std::round(at.scale * 1e6) / 1e6;  // digits that every C library agrees on
 
   std::optional<Viewpoint> viewpoint = surfaces.source_viewpoint();
   if (viewpoint)

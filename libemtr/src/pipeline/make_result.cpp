@@ -23,6 +23,8 @@ void fill_unknown(emtr_result& r) {
   r.symmetry = "unknown";
   std::fill_n(r.symmetry_axis, 3, kUnknown);
   r.symmetry_period = kUnknown;
+  r.scale = r.scale_constraint = kUnknown;
+  std::fill_n(r.information_similarity, 49, kUnknown);
 }
 
 void fill_problem(const Problem& problem, emtr_result& r) {
@@ -164,11 +166,12 @@ void fill_overlap(const Overlap& overlap, double leaf, double scale, emtr_result
 
 void fill_seconds(const StageSeconds& seconds, emtr_result& r) {
   constexpr std::array<double emtr_result::*, kStageCount> fields = {
-      &emtr_result::seconds_normalization, &emtr_result::seconds_downsampling,
-      &emtr_result::seconds_features,      &emtr_result::seconds_matching,
-      &emtr_result::seconds_seeds,         &emtr_result::seconds_evolution,
-      &emtr_result::seconds_candidates,    &emtr_result::seconds_fallback_search,
-      &emtr_result::seconds_refinement,    &emtr_result::seconds_verdict};
+      &emtr_result::seconds_normalization,   &emtr_result::seconds_scale_search,
+      &emtr_result::seconds_downsampling,    &emtr_result::seconds_features,
+      &emtr_result::seconds_matching,        &emtr_result::seconds_seeds,
+      &emtr_result::seconds_evolution,       &emtr_result::seconds_candidates,
+      &emtr_result::seconds_fallback_search, &emtr_result::seconds_refinement,
+      &emtr_result::seconds_verdict};
   for (std::size_t i = 0; i < kStageCount; ++i) {
     r.*fields[i] = seconds.values[i];
     r.seconds_total += seconds.values[i];
@@ -192,7 +195,10 @@ std::unique_ptr<Result> make_result(const Problem& problem, const Solution& foun
   fill_unknown(*result);
   fill_problem(problem, *result);
   fill_evolution(found.evolution, *result);
-  if (found.pose) to_matrix(normalization.to_user(*found.pose), result->transformation);
+  if (found.pose) {
+    to_matrix(normalization.to_user(*found.pose), result->transformation);
+    result->scale = 1;
+  }
   if (found.verdict) fill_verdict(*found.verdict, *result);
   if (found.candidates && !found.candidates->ranked().empty())
     fill_candidates(problem, found, *result);

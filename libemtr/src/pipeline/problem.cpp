@@ -4,7 +4,9 @@
 #include "pipeline/progress.h"
 #include "preprocessing/extrusion.h"
 #include "priors/make_prior.h"
+#include "settings/choices.h"
 #include "settings/validation.h"
+#include "util/error.h"
 #include "util/thread_team.h"
 
 namespace emtr {
@@ -27,7 +29,8 @@ void run_stages(InputCloud& source, InputCloud& target, const Settings& user, St
   extrude_flat_pair(problem.pair, settings);
 
   load_user_matches(user, problem);
-  if (problem.user_matches.matches.size() && settings.seeds > 0 && settings.candidates > 0) {
+  if (problem.user_matches.matches.size() && settings.seeds > 0 && settings.candidates > 0 &&
+      stages != Stages::Matches) {
     progress.enter(Stage::Seeds);
     find_match_poses(problem);
     if (problem.matches_decide && stages == Stages::Needed) return;
@@ -42,6 +45,7 @@ void run_stages(InputCloud& source, InputCloud& target, const Settings& user, St
 
   progress.enter(Stage::Matching);
   match_clouds(problem);
+  if (stages == Stages::Matches) return;
   // Neither needs the other, and both are mostly grids that one thread makes.
   parallel_for(2, thread_count(settings),
                [&](std::size_t i) { i == 0 ? make_tasks(problem) : make_surfaces(problem); });
@@ -60,6 +64,9 @@ std::unique_ptr<const Problem> make_problem(InputCloud& source, InputCloud& targ
   problem->seconds = seconds;
   problem->settings = without_user_memory(settings);
   validate(problem->settings);
+  if (!(settings.scale == ScaleSearched::Fixed))
+    throw Error(EMTR_ERROR_SETTING,
+                "setting 'scale': a problem has one scale; a registration can search it");
   const CancellationScope scope(&token);
   try {
     Progress progress(token, 0, problem->seconds);

@@ -67,9 +67,9 @@ struct Problem {
   }
 };
 
-/// Tells whether the stages that a solution does not need are made too: those of the tasks where
-/// the matches decide.
-enum class Stages { All, Needed };
+/// Which stages of a problem are made: all, those that a solution needs, which are not the tasks
+/// where the matches decide; or those up to the matches.
+enum class Stages { All, Needed, Matches };
 
 /// Makes a problem of two clouds. Keeps nothing of the user's memory. Throws Error on bad clouds or
 /// settings. The token may stop it; then the problem is `stopped`, and solve() says so. `seconds`:

@@ -5,8 +5,11 @@
 #include "kernels/kernels.h"
 #include "pipeline/problem.h"
 #include "pipeline/progress.h"
+#include "pipeline/scale_search.h"
 #include "pipeline/small_in_large.h"
 #include "pipeline/solve.h"
+#include "pipeline/unknown_scale.h"
+#include "settings/choices.h"
 #include "util/error.h"
 #include "util/stopwatch.h"
 
@@ -90,11 +93,19 @@ std::unique_ptr<Result> register_clouds(InputCloud& source, InputCloud& target,
   Run run{source, target, settings, token, {}};
   Stopwatch stopwatch;
   const Sizes sizes = sizes_of(run);
-  if (sizes == Sizes::Alike) return register_whole(run);
-  auto result = register_both_ways(run, sizes);
+  const bool fixed = settings.scale == ScaleSearched::Fixed;
+  if (!fixed && !(source.preprocessed && target.preprocessed)) {  // stopped before it began
+    const Settings rigid = settings_at_scale(settings, 1);
+    Run stopped{source, target, rigid, token, run.seconds};
+    return register_whole(stopped);
+  }
+  if (fixed && sizes == Sizes::Alike) return register_whole(run);
+  auto result = fixed ? register_both_ways(run, sizes)
+                      : register_unknown_scale(source, target, settings, token, run.seconds);
   // Counts all that is not in the stages of the result as search.
+  double& search = fixed ? result->seconds_fallback_search : result->seconds_scale_search;
   const double seconds = stopwatch.lap();
-  result->seconds_fallback_search += seconds - result->seconds_total;
+  search += seconds - result->seconds_total;
   result->seconds_total = seconds;
   return result;
 }

@@ -133,6 +133,15 @@ const std::vector<emtr_result_field_info>& result_table() {
     FIELD(symmetry_period, Real, "symmetry", "user's unit",
           "length of the shortest translation; 0 where any is one, NaN unless translational"),
 
+    FIELD(scale, Real, "", "",
+          "factor of the source's lengths, by which the rotation is multiplied in the "
+          "transformation; 1 unless searched"),
+    FIELD(scale_constraint, Real, "refinement", "",
+          "how strongly the surfaces constrain the scale, 0 (not at all) to about 1; NaN unless "
+          "searched"),
+    MATRIX(information_similarity, 7, "refinement", "",
+           "inverse covariance of a similarity: a small rotation, a translation, and the "
+           "logarithm of the scale, about center_target; NaN unless searched"),
     MATRIX(information, 6, "refinement", "",
            "inverse covariance of a small rotation (radians) and then a translation (user's "
            "unit) about center_target; NaN when not refined"),
@@ -186,6 +195,7 @@ const std::vector<emtr_result_field_info>& result_table() {
           "leaf of the fine clouds; NaN when interrupted"),
 
     SECONDS(normalization, "reading, measuring and normalizing both clouds"),
+    SECONDS(scale_search, "looking for the scale of the source"),
     SECONDS(downsampling, "the sparse and the dense clouds"),
     SECONDS(features, "normals and descriptors"),
     SECONDS(matching, "correspondences, TIMs and both tasks"),

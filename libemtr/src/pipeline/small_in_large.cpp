@@ -11,7 +11,7 @@
 #include "pipeline/solve.h"
 #include "settings/choices.h"
 #include "util/error.h"
-#include "util/stage.h"
+#include "util/held_stage.h"
 #include "verdict/confidence.h"
 
 namespace emtr {
@@ -65,20 +65,6 @@ class PartRegistration {
 
   const InputCloud& small_;
   const bool small_is_source_;
-  CancellationToken& token_;
-};
-
-/// Reports a whole registration as one stage of another.
-class OneStage {
- public:
-  explicit OneStage(CancellationToken& token) : token_(token) {
-    token.hold_stage(stage_name(Stage::FallbackSearch));
-  }
-  ~OneStage() { token_.hold_stage(nullptr); }
-  OneStage(const OneStage&) = delete;
-  OneStage& operator=(const OneStage&) = delete;
-
- private:
   CancellationToken& token_;
 };
 
@@ -181,7 +167,7 @@ std::unique_ptr<Result> register_small_in_large(const InputCloud& source, const 
   const bool small_is_source = source.preprocessed->radius < target.preprocessed->radius;
   const InputCloud &small = small_is_source ? source : target,
                    &large = small_is_source ? target : source;
-  const OneStage one_stage(token);
+  const HeldStage one_stage(token, Stage::FallbackSearch);
   const Scene scene(small, large);
   const PartRegistration registered(small, small_is_source, token);
   auto best = register_at_guess(scene, registered, small_is_source, settings);

@@ -8,7 +8,7 @@ namespace emtr {
 namespace {
 
 /// Refines the pose and judges it.
-void conclude(const Problem& problem, Progress& progress, Solution& found) {
+void refine_and_judge(const Problem& problem, Progress& progress, Solution& found) {
   if (problem.settings.refine) {
     progress.enter(Stage::Refinement);
     refine_pose(problem, found);
@@ -21,15 +21,9 @@ void conclude(const Problem& problem, Progress& progress, Solution& found) {
   weigh_changed_source(problem, found);
 }
 
-/// Runs the stages of the search; Cancelled leaves what they have found by then.
-void run_stages(const Problem& problem, const std::vector<Rigid>* poses, Progress& progress,
-                Solution& found) {
-  if (problem.matches_decide) {
-    progress.enter(Stage::Verdict);
-    judge_match_poses(problem, found);
-    return;
-  }
-
+/// Searches once and ranks what was found.
+void find_candidates(const Problem& problem, const std::vector<Rigid>* poses, Progress& progress,
+                     Solution& found) {
   progress.enter(Stage::Evolution);
   shortlist_seeds(problem, found);
   if (poses)
@@ -41,17 +35,28 @@ void run_stages(const Problem& problem, const std::vector<Rigid>* poses, Progres
     progress.enter(Stage::Candidates);
     rank_candidates(problem, found);
   }
+}
 
+/// Runs the stages of the search; Cancelled leaves what they have found by then.
+void run_stages(const Problem& problem, const std::vector<Rigid>* poses, Progress& progress,
+                Solution& found) {
+  if (problem.matches_decide) {
+    progress.enter(Stage::Verdict);
+    judge_match_poses(problem, found);
+    return;
+  }
+
+  find_candidates(problem, poses, progress, found);
   if (needs_fallback_search(problem, found)) {
     progress.enter(Stage::FallbackSearch);
     search_again(problem, found);
   }
 
-  conclude(problem, progress, found);
+  refine_and_judge(problem, progress, found);
   if (needs_second_look(problem, found)) {
     progress.enter(Stage::FallbackSearch);
     search_again(problem, found);
-    conclude(problem, progress, found);
+    refine_and_judge(problem, progress, found);
   }
 }
 
@@ -69,17 +74,35 @@ void search(const Problem& problem, const std::vector<Rigid>* poses, Cancellatio
 
 }  // namespace
 
-std::unique_ptr<Result> solve(const Problem& problem, CancellationToken& token,
-                              const std::vector<Rigid>* poses) {
+Solution search_candidates(const Problem& problem, CancellationToken& token) {
+  Solution found;
+  const CancellationScope scope(&token);
+  Progress progress(token, problem.settings.iterations, found.seconds);
+  find_candidates(problem, nullptr, progress, found);
+  return found;
+}
+
+Solution search_pose(const Problem& problem, CancellationToken& token,
+                     const std::vector<Rigid>* poses) {
   Solution found;
   found.seconds = problem.seconds;
   found.stopped = problem.stopped;
   if (!found.stopped) search(problem, poses, token, found);
   if (found.pose && !problem.matches_decide) judge_pose(problem, found);
+  return found;
+}
+
+std::unique_ptr<Result> conclude(const Problem& problem, const Solution& found,
+                                 const CancellationToken& token) {
   auto result = make_result(problem, found);
   if (found.stopped)
     result->reason = token.timed_out() ? EMTR_REASON_TIME_LIMIT : EMTR_REASON_INTERRUPTED;
   return result;
+}
+
+std::unique_ptr<Result> solve(const Problem& problem, CancellationToken& token,
+                              const std::vector<Rigid>* poses) {
+  return conclude(problem, search_pose(problem, token, poses), token);
 }
 
 }  // namespace emtr

@@ -44,6 +44,13 @@ Rigid Normalization::to_user(const Rigid& pose) const {
   return out;
 }
 
+Similarity Normalization::to_user(const Similarity& similarity) const {
+  Similarity out = similarity;
+  out.pose.t = scale * similarity.pose.t + Eigen::Vector3d::Map(center_target) -
+               similarity.scale * similarity.rotate(Eigen::Vector3d::Map(center_source));
+  return out;
+}
+
 Rigid Normalization::to_normalized(const Rigid& pose) const {
   Rigid out = pose;
   out.t = (pose.t + pose.rotate(Eigen::Vector3d::Map(center_source)) -

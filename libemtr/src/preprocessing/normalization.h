@@ -3,7 +3,7 @@
 #include <emtr/emtr.h>
 
 #include "geometry/cloud.h"
-#include "geometry/rigid.h"
+#include "geometry/similarity.h"
 #include "preprocessing/preprocessed_cloud.h"
 
 namespace emtr {
@@ -17,6 +17,7 @@ struct Normalization {
 
   /// Returns the pose in the user's unit of one in the normalized frame.
   Rigid to_user(const Rigid& pose) const;
+  Similarity to_user(const Similarity& similarity) const;
   /// Returns the pose in the normalized frame of one in the user's unit.
   Rigid to_normalized(const Rigid& pose) const;
 };

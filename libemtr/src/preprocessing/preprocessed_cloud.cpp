@@ -116,8 +116,18 @@ bool PreprocessedCloud::is_stray(std::size_t row) const {
 double PreprocessedCloud::spacing() const {
   constexpr std::size_t enough = 2000;  // for a mean to about one percent
   double known = spacing_.load();
-  if (known < 0) spacing_ = known = mean_spacing(base, enough);
+  if (known < 0) {
+    known = mean_spacing(base, enough);
+    spacing_.store(known);
+  }
   return known;
+}
+
+PreprocessedCloudPtr PreprocessedCloud::rescaled(double factor) const {
+  const auto out = std::make_shared<PreprocessedCloud>(*this);
+  for (double& c : out->center) c *= factor;
+  out->radius *= factor;
+  return out;
 }
 
 }  // namespace emtr

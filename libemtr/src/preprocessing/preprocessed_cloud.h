@@ -52,7 +52,16 @@ class PreprocessedCloud {
   /// progress callback, and the callback may register this very cloud.
   double spacing() const;
 
+  /// Returns the same cloud with all lengths multiplied, about the origin of the user's frame.
+  std::shared_ptr<const PreprocessedCloud> rescaled(double factor) const;
+
  private:
+  /// A number that is computed once, by whoever asks first.
+  struct Cached : std::atomic<double> {
+    Cached() : std::atomic<double>(-1) {}
+    Cached(const Cached& other) : std::atomic<double>(other.load()) {}
+  };
+
   void leave_out_scattered();
 
   const std::string title_;
@@ -60,7 +69,7 @@ class PreprocessedCloud {
   bool whole_ = false;                ///< the base points are all points
   std::vector<std::int64_t> finite_;  ///< the user's rows of all points, when some are left out
   std::vector<std::int64_t> strays_;  ///< the user's rows of the strays
-  mutable std::atomic<double> spacing_{-1};
+  mutable Cached spacing_;
 };
 
 using PreprocessedCloudPtr = std::shared_ptr<const PreprocessedCloud>;

@@ -67,7 +67,7 @@ void SurfaceFit::add_subset(std::size_t step) {
   subsets_.push_back({step, {some(all.side[0]), some(all.side[1])}});
 }
 
-SurfaceFit::Sums SurfaceFit::sums(const Weighted& from, const Rigid& pose, int to,
+SurfaceFit::Sums SurfaceFit::sums(const Weighted& from, const Similarity& similarity, int to,
                                   Scratch& s) const {
   const Surface& surface = *from.surface;
   const std::size_t n = surface.points.size();
@@ -77,8 +77,8 @@ SurfaceFit::Sums SurfaceFit::sums(const Weighted& from, const Rigid& pose, int t
   }
   std::vector<std::uint8_t>& inliers = s.inlier[1 - to];
   inliers.assign(n, 0);
-  const Rigid rotation = {pose.R, Eigen::Vector3d::Zero()};
-  transform(kernels_, surface.points, pose, s.x.data(), s.y.data(), s.z.data());
+  const Rigid rotation = {similarity.pose.R, Eigen::Vector3d::Zero()};
+  transform(kernels_, surface.points.view(), similarity, s.x.data(), s.y.data(), s.z.data());
   transform(kernels_, surface.normals, rotation, s.nx.data(), s.ny.data(), s.nz.data());
   neighbors_[to]->nearest({s.x.data(), s.y.data(), s.z.data(), n}, s.index.data(),
                           s.squared.data());
@@ -111,10 +111,17 @@ SurfaceFit::Sums SurfaceFit::sums(const Weighted& from, const Rigid& pose, int t
 }
 
 SurfaceFitValue SurfaceFit::evaluate(const Rigid& pose, std::size_t step, Scratch& scratch) const {
+  return evaluate(Similarity{1, pose}, step, scratch);
+}
+
+SurfaceFitValue SurfaceFit::evaluate(const Similarity& similarity, std::size_t step,
+                                     Scratch& scratch) const {
   const auto& [source, target] = subset(step).side;
-  const Sums a = sums(source, pose, 1, scratch);
-  const Sums b = sums(target, pose.inverse(), 0, scratch);
+  const Sums a = sums(source, similarity, 1, scratch);
+  const Sums b = sums(target, similarity.inverse(), 0, scratch);
   SurfaceFitValue out;
+  out.score_source = a.weight;
+  out.score_target = b.weight;
   out.score = (a.weight + b.weight) / 2;
   out.same_side = (a.same_side + b.same_side) / 2;
   out.near = (a.near + b.near) / 2;

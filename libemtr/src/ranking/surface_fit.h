@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/rigid.h"
+#include "geometry/similarity.h"
 #include "geometry/surface.h"
 #include "neighbors/neighbors.h"
 
@@ -31,7 +31,8 @@ struct SurfaceFitValue {
   double inliers_source = 0, inliers_target = 0;  ///< share of each cloud's points
   /// Share of all points that are the same in both clouds, to a hundredth of a leaf.
   double same_points = 0;
-  double rms = 0;  ///< root mean square of e / leaf over the inliers
+  double rms = 0;                             ///< root mean square of e / leaf over the inliers
+  double score_source = 0, score_target = 0;  ///< of each cloud against the other
 };
 
 /// Scores candidate poses: unlike a distance to points it knows which way surfaces face, and unlike
@@ -58,6 +59,9 @@ class SurfaceFit {
   /// std::invalid_argument when add_subset() was not called for a step above 1.
   SurfaceFitValue evaluate(const Rigid& pose, std::size_t step, Scratch& scratch) const;
 
+  /// Evaluates a similarity near a rigid pose: the source's own distances are taken in its unit.
+  SurfaceFitValue evaluate(const Similarity& similarity, std::size_t step, Scratch& scratch) const;
+
   /// Gathers every `step`-th point of both surfaces.
   void add_subset(std::size_t step);
   /// Returns the row of the target's point whose normal most others share.
@@ -82,7 +86,7 @@ class SurfaceFit {
   const Subset& subset(std::size_t step) const;
 
   static Weighted weighted(const SharedSurface& surface, std::vector<float> weights);
-  Sums sums(const Weighted& from, const Rigid& pose, int to, Scratch& scratch) const;
+  Sums sums(const Weighted& from, const Similarity& similarity, int to, Scratch& scratch) const;
 
   const Kernels& kernels_;
   const float leaf_;

@@ -13,6 +13,7 @@ struct Refined {
   Rigid pose;                   ///< normalized frame
   double rmse = 0;              ///< see LocalRefinementResult
   double information[36] = {};  ///< see information()
+  double design_effect = 1;     ///< see LocalRefinement::design_effect()
   HessianSpectrum hessian_spectrum;
   int unconstrained = 0;  ///< directions that neither the surfaces constrain nor the prior
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/similarity.h"
 #include "geometry/transform.h"
 #include "kernels/kernels.h"
 #include "neighbors/neighbors.h"
@@ -36,9 +37,10 @@ class SurfaceMatcher {
   const QueryPoints& source() const { return source_; }
   const QueryPoints& target() const { return target_; }
 
-  /// Calls visit(source, target) for each query that has a match within `reach` under the pose.
-  template <class Visit>
-  void for_each_match(const Rigid& pose, double reach, const Run& run, Scratch& s,
+  /// Calls visit(source, target) for each query that has a match within `reach` under the pose, a
+  /// Rigid or a Similarity. The target's queries measure the reach in the source's unit.
+  template <class Pose, class Visit>
+  void for_each_match(const Pose& pose, double reach, const Run& run, Scratch& s,
                       const Visit& visit) const {
     const bool reversed = run.reversed;
     const QueryPoints &asking = reversed ? target_ : source_,

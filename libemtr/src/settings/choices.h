@@ -19,12 +19,24 @@ enum class NeighborStructure : std::int32_t {
   BruteForce = EMTR_NEIGHBORS_BRUTE_FORCE
 };
 
+/// Which scales of the source a run looks at.
+enum class ScaleSearched : std::int32_t {
+  Fixed = EMTR_SCALE_FIXED,
+  Free = EMTR_SCALE_FREE,
+  Bounded = EMTR_SCALE_BOUNDED,
+  Units = EMTR_SCALE_UNITS
+};
+
 constexpr bool operator==(std::int32_t setting, When when) {
   return setting == static_cast<std::int32_t>(when);
 }
 
 constexpr bool operator==(std::int32_t setting, NeighborStructure structure) {
   return setting == static_cast<std::int32_t>(structure);
+}
+
+constexpr bool operator==(std::int32_t setting, ScaleSearched scale) {
+  return setting == static_cast<std::int32_t>(scale);
 }
 
 /// Tells whether to use what a setting can switch off, with Auto where `helps`.

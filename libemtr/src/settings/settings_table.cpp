@@ -151,6 +151,19 @@ const std::vector<Setting>& setting_table() {
       SETTING(refine, Switch, "", 0, 1, 1, "refinement", "refine the answer on fine clouds", ""),
       SETTING(refine_leaf, Real, "radii", 1e-3, 0.5, 0.01, "refinement", "leaf of the fine clouds",
               ""),
+      SETTING(scale, Choice, "", EMTR_SCALE_FIXED, EMTR_SCALE_UNITS, EMTR_SCALE_FIXED,
+              "unknown scale",
+              "scales of the source that are searched: fixed: none; free: any; bounded: from "
+              "scale_minimum to scale_maximum; units: factors between units of length; one number "
+              "or two "
+              "stand for bounded",
+              "fixed,free,bounded,units"),
+      SETTING(scale_minimum, Real, "", 1e-6, 1e6, 1, "unknown scale",
+              "least factor of the source's lengths", ""),
+      SETTING(scale_maximum, Real, "", 1e-6, 1e6, 1, "unknown scale",
+              "largest factor of the source's lengths", ""),
+      SETTING(task_gamma, Switch, "", 0, 1, 1, "unknown scale",
+              "look first at the scales for which pairs of matches vote", ""),
       SETTING(maximum_fitness, Real, "", 0, 1, 0.7, "verdict",
               "without candidates: registered only when the mean of rho over both dense clouds is "
               "at most this",

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "geometry/rigid.h"
+#include "settings/choices.h"
 #include "settings/settings_table.h"
 #include "util/error.h"
 
@@ -50,6 +51,15 @@ void validate_known_poses(const Settings& s) {
           "setting 'viewpoint_source' is not finite: expected a sensor position x, y, z");
   require(!s.has_viewpoint_target || finite(s.viewpoint_target),
           "setting 'viewpoint_target' is not finite: expected a sensor position x, y, z");
+}
+
+void validate_scale(const Settings& s) {
+  const bool bounded = s.scale == ScaleSearched::Bounded;
+  require(bounded || (s.scale_minimum == 1 && s.scale_maximum == 1),
+          "settings 'scale_minimum' and 'scale_maximum' say nothing unless 'scale' is bounded");
+  require(s.scale_minimum <= s.scale_maximum,
+          "settings 'scale_minimum' and 'scale_maximum' contradict each other: the minimum is the "
+          "larger one");
 }
 
 /// Refuses a limit that is set without what it limits.
@@ -107,6 +117,7 @@ void validate(const Settings& settings) {
   validate_ranges(settings);
   validate_method(settings);
   validate_known_poses(settings);
+  validate_scale(settings);
   validate_dependences(settings);
   validate_axis(settings);
   validate_translation_bounds(settings);

@@ -7,6 +7,7 @@ namespace emtr {
 /// The stages of a registration, in the order in which they run.
 enum class Stage {
   Normalization,
+  ScaleSearch,
   Downsampling,
   Features,
   Matching,

@@ -81,32 +81,34 @@ class Reference {
   std::unique_ptr<const NearestPoint> tree_;
 };
 
-Point moved(const double* p, const Rigid& pose) {
+Point moved(const double* p, const Similarity& similarity) {
   Point out;
-  Eigen::Vector3d::Map(out.data()) = pose * Eigen::Vector3d::Map(p);
+  Eigen::Vector3d::Map(out.data()) = similarity * Eigen::Vector3d::Map(p);
   return out;
 }
 
+/// `unit`: of the distances, over that of `to`.
 void one_way(const CloudReader& from, const CloudReader& to, const std::string& name,
-             const Rigid& pose, int threads, double* out) {
+             const Similarity& similarity, double unit, int threads, double* out) {
   const Reference reference(to, name);
   std::fill_n(out, from.count(), std::numeric_limits<double>::quiet_NaN());
   parallel_for(from.blocks(), threads, [&](std::size_t block) {
     from.each_finite(block, [&](std::size_t i, const double* p) {
       check_cancelled_each(i, 10);
-      out[block * CloudReader::kBlock + i] = reference.distance(moved(p, pose));
+      out[block * CloudReader::kBlock + i] = unit * reference.distance(moved(p, similarity));
     });
   });
 }
 
 }  // namespace
 
-void residuals(const emtr_cloud& source, const emtr_cloud& target, const Rigid& pose, int threads,
-               double* source_residuals, double* target_residuals) {
+void residuals(const emtr_cloud& source, const emtr_cloud& target, const Similarity& similarity,
+               int threads, double* source_residuals, double* target_residuals) {
   const CloudReader from(source, "source cloud"), to(target, "target cloud");
-  if (source_residuals) one_way(from, to, "target cloud", pose, threads, source_residuals);
+  if (source_residuals) one_way(from, to, "target cloud", similarity, 1, threads, source_residuals);
   if (target_residuals)
-    one_way(to, from, "source cloud", pose.inverse(), threads, target_residuals);
+    one_way(to, from, "source cloud", similarity.inverse(), similarity.scale, threads,
+            target_residuals);
 }
 
 }  // namespace emtr

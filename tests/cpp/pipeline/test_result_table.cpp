@@ -138,7 +138,7 @@ TEST(Stage, NamesArePublishedInC) {
   for (std::size_t i = 0; i < emtr::kStageCount; ++i)
     EXPECT_STREQ(emtr_stage_name(i), emtr::stage_name(static_cast<emtr::Stage>(i)));
   EXPECT_STREQ(emtr_stage_name(0), "normalization");
-  EXPECT_STREQ(emtr_stage_name(7), "fallback_search");
+  EXPECT_STREQ(emtr_stage_name(8), "fallback_search");
   EXPECT_EQ(emtr_stage_name(emtr::kStageCount), nullptr);
 }
 

@@ -44,7 +44,7 @@ TEST(Residuals, AreTheDistancesToTheNearestPointBothWays) {
     const emtr::Rigid pose =
         emtr_test::motion({10, 50, -70}, unit * (far + Eigen::Vector3d(0.5, 0, 0.1)));
     std::vector<double> of_source(source.size()), of_target(target.size());
-    emtr::residuals(view(source), view(target), pose, 2, of_source.data(), of_target.data());
+    emtr::residuals(view(source), view(target), {1, pose}, 2, of_source.data(), of_target.data());
     const auto expected = by_hand(source, pose, target),
                others = by_hand(target, pose.inverse(), source);
     for (std::size_t i = 0; i < source.size(); ++i)
@@ -52,6 +52,19 @@ TEST(Residuals, AreTheDistancesToTheNearestPointBothWays) {
     for (std::size_t i = 0; i < target.size(); ++i)
       EXPECT_NEAR(of_target[i], others[i], 2e-6 * unit) << i;
   }
+}
+
+TEST(Residuals, OfAScaledSourceAreInTheTargetsUnit) {
+  const Points target = drawn(8, 500, {0, 0, 0}, 1), source = drawn(9, 400, {0, 0, 0}, 40);
+  const emtr::Rigid pose = emtr_test::motion({20, -30, 10}, {0.1, 0.2, 0});
+  Points shrunk = source;
+  for (auto& p : shrunk) p /= 40;
+  std::vector<double> of_source(400), of_target(500), expected(400), others(500);
+  emtr::residuals(view(source), view(target), {1.0 / 40, pose}, 1, of_source.data(),
+                  of_target.data());
+  emtr::residuals(view(shrunk), view(target), {1, pose}, 1, expected.data(), others.data());
+  for (std::size_t i = 0; i < 400; ++i) EXPECT_NEAR(of_source[i], expected[i], 1e-6);
+  for (std::size_t i = 0; i < 500; ++i) EXPECT_NEAR(of_target[i], others[i], 4e-6);
 }
 
 TEST(Residuals, AreTheSameForAnyThreads) {

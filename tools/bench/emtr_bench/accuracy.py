@@ -76,8 +76,13 @@ def make_options(arguments: argparse.Namespace, engine: Engine) -> Options:
         raise DataError("--queries judges no pose: no --unrelated")
     preset = arguments.preset or ("paper" if arguments.queries else "default")
     options = Options(
-        preset, arguments.seed, arguments.threads, settings, arguments.viewpoints, arguments.prior
-    )
+        preset, arguments.seed, arguments.threads, settings, arguments.viewpoints, arguments.prior,
+        arguments.scale,
+    )  # fmt: skip
+    if options.scale and (
+        options.prior or arguments.queries or arguments.failures or "scale" in settings
+    ):
+        raise DataError("--scale: not with --prior, --queries, --failures or --set scale=")
     try:
         engine.check(options)
     except ValueError as error:
@@ -88,6 +93,7 @@ def make_options(arguments: argparse.Namespace, engine: Engine) -> Options:
 def measure_accuracy(plan: Plan, arguments: argparse.Namespace, engine: Engine) -> int:
     places = ", sensor positions given where known" if plan.options.viewpoints else ""
     places += f", prior: {plan.options.prior}" if plan.options.prior else ""
+    places += f", unknown scale: {plan.options.scale}" if plan.options.scale else ""
     print(f"preset {plan.options.preset}, {plan.transforms} transforms a pair, "
           f"seeds {plan.options.seed}+, emtr {engine.version}{places}")  # fmt: skip
     print(accuracy_text.header(), flush=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import statistics
 from collections.abc import Callable, Iterable
 
 from . import paper_tables
@@ -78,6 +79,14 @@ def footer(runs: list[Run], rows: list[PairSummary], average: Figures) -> str:
         "joint success by class of motion: " + ", ".join(by_class),
         _reasons(runs),
     ]
+    scales = [run.scale for run in runs if run.scale > 0 and run.success]
+    if scales:
+        within = [sum(error < most for error in scales) for most in (0.01, 0.03)]
+        median = 100 * statistics.median(scales)
+        lines.append(
+            f"scale where the rotation is right: within 1 % in {within[0]}, within 3 % in "
+            f"{within[1]} of {len(scales)} runs; median error {median:.3f} %"
+        )
     crashed = [run for run in runs if run.error]
     if crashed:
         lines.append(f"CRASHED: {len(crashed)} runs; the first, {_name(crashed[0])}:")

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from . import unknown_scale
 from .pair_arguments import WHERE, add_pair_options
 
 if TYPE_CHECKING:  # the command line is read before it is known that numpy is there
@@ -49,6 +50,14 @@ def parser(program: str = "accuracy") -> argparse.ArgumentParser:
         default="",
         help="tell something true of each pose: a guess within 20 degrees and 0.3 radii, or the "
         "axis of its rotation",
+    )
+    add(
+        "--scale",
+        choices=unknown_scale.SEARCHED,
+        default="",
+        help="give each source another scale, and have it searched: free: 0.02 to 50 and 1000; "
+        "bounded: 0.8 to 1.25; units: a factor between units. Right then means within 3 percent "
+        "of the scale too",
     )
     add("--unrelated", type=natural, default=0, metavar="N",
         help="then N pairings of scans that do not belong together")  # fmt: skip

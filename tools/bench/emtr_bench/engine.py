@@ -7,12 +7,14 @@ from typing import Any
 import pyemtr
 from pyemtr.options import make_settings
 
+from . import unknown_scale
 from .runner import Array, Options, Outcome, Run, Sensors, moved
 
 QUALITY = (
     "fitness", "inlier_ratio_source", "inlier_ratio_target", "fitness_gap", "overlap_source",
     "overlap_target", "inlier_rmse", "inlier_rmse_plane",
     "confidence", "score", "surface_fit", "surface_near", "violation", "evidence", "score_gap",
+    "scale", "scale_constraint",
 )  # fmt: skip
 COUNTS = (
     "points_source", "points_target", "dropped_source", "dropped_target", "sparse_source",
@@ -40,10 +42,10 @@ class PyemtrEngine:
     def register(
         self, source: Array, target: Array, options: Options, sensors: Sensors | None
     ) -> Outcome:
-        places: dict[str, Any] = {}
+        more: dict[str, Any] = unknown_scale.settings(options.scale)
         if sensors is not None:
-            places = {"source_viewpoint": sensors.source, "target_viewpoint": sensors.target}
-        result = pyemtr.register(source, target, **_keywords(options), **places)
+            more |= {"source_viewpoint": sensors.source, "target_viewpoint": sensors.target}
+        result = pyemtr.register(source, target, **_keywords(options), **more)
         return Outcome(
             result.transformation,
             result.registered,

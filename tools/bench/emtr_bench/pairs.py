@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from plyfile import PlyData, PlyParseError
 
+from .unknown_scale import split
+
 Array = NDArray[np.float64]
 
 #: The files of a pair; the last may say NONE.
@@ -44,12 +46,14 @@ class Clouds:
 
 
 def load(pair: Pair) -> Clouds:
-    """Reads both clouds and the ground truth, whose rotation is made exactly orthonormal."""
-    return Clouds(
-        read_ply(pair.folder / FILES[0]),
-        read_ply(pair.folder / FILES[1]),
-        read_transformation(pair.folder / FILES[2]),
-    )
+    """Reads both clouds and the ground truth, whose rotation is made exactly orthonormal. Where
+    that is a similarity, the source is given the target's scale."""
+    source, target = (read_ply(pair.folder / name) for name in FILES[:2])
+    path = pair.folder / FILES[2]
+    scale, T_gt = split(read_matrix(path))
+    if abs(scale - 1.0) < 1e-3:
+        return Clouds(source, target, read_transformation(path))
+    return Clouds(scale * source, target, nearest_rigid(T_gt, path))
 
 
 def viewpoints(pair: Pair) -> Array | None:
@@ -79,13 +83,18 @@ def read_ply(path: Path) -> Array:
 def read_transformation(path: Path) -> Array:
     """A rigid 4x4 matrix from text. Ten printed digits leave R a little off: the nearest
     rotation is taken, so that the error metrics see no more than the pose's own error."""
+    return nearest_rigid(read_matrix(path), path)
+
+
+def read_matrix(path: Path) -> Array:
+    """A finite 4x4 matrix from text."""
     try:
         matrix = np.loadtxt(path)
     except (OSError, ValueError) as error:
         raise DataError(f"{path}: expected a 4x4 matrix in text: {error}") from error
     if matrix.shape != (4, 4) or not np.isfinite(matrix).all():
         raise DataError(f"{path}: expected a finite 4x4 matrix, got shape {matrix.shape}")
-    return nearest_rigid(np.asarray(matrix, dtype=np.float64), path)
+    return np.asarray(matrix, dtype=np.float64)
 
 
 def nearest_rigid(matrix: Array, path: Path) -> Array:

@@ -79,6 +79,7 @@ def _run(run: Run) -> dict[str, Any]:
         "T_est": None,
         "E_R": run.rotation,
         "E_t": run.translation,
+        "E_s": run.scale,
         "success": run.success,
         "joint": run.joint,
         "among_alternatives": run.among,

@@ -21,7 +21,7 @@ from pyemtr.metrics import (
     translation_error,
 )
 
-from . import priors, protocol
+from . import priors, protocol, unknown_scale
 from .jobs import side_by_side
 from .pairs import Clouds, Pair, load
 from .sensors import sensor_positions
@@ -40,6 +40,7 @@ class Options:
     settings: dict[str, Setting] = field(default_factory=dict)
     viewpoints: bool = False  # tell where the sensors stood, of the pairs where it is known
     prior: str = ""  # one of priors.PRIORS: tell something true of the pose
+    scale: str = ""  # one of unknown_scale.SEARCHED: give the source another scale
 
 
 @dataclass(frozen=True)
@@ -84,6 +85,7 @@ class Run:
     translation: float  # normalized frame, NaN without a pose
     error: str = ""
     others_right: tuple[bool, ...] = ()  # for each of the alternatives
+    scale: float = 0.0  # relative error of the scale, 0 where it was known
 
     @property
     def success(self) -> bool:
@@ -92,7 +94,7 @@ class Run:
 
     @property
     def joint(self) -> bool:
-        return right((self.rotation, self.translation))
+        return right((self.rotation, self.translation, self.scale))
 
     @property
     def among(self) -> bool:
@@ -124,18 +126,21 @@ class Moved:
     motion: protocol.Motion
     scale: float  # of the normalized frame, user's unit
     sensors: Sensors | None = None  # when it is known where they stood
+    factor: float = 1.0  # by which the source was divided after its motion
 
 
-def moved(pair: Pair, index: int) -> Moved:
-    clouds, aligned, scale = _preprocessed(pair)
+def moved(pair: Pair, index: int, scale: str = "") -> Moved:
+    """A pair and one motion; ``scale`` as in the options."""
+    clouds, aligned, radius = _preprocessed(pair)
+    factor = unknown_scale.factor(scale, pair.name, index)
     motion = protocol.motion(pair.name, index, aligned)
     sensors = None
     places = sensor_positions(pair)
     if places is not None:  # the source's moves with the source
         place = protocol.apply(motion.matrix @ clouds.T_gt, places[:1])[0]
-        sensors = Sensors(place, places[1])
-    source = protocol.apply(motion.matrix, aligned)
-    return Moved(source, clouds.target, motion, scale, sensors)
+        sensors = Sensors(place / factor, places[1])
+    source = protocol.apply(motion.matrix, aligned) / factor
+    return Moved(source, clouds.target, motion, radius, sensors, factor)
 
 
 def pose_errors(case: Moved, T: Array) -> tuple[float, float]:
@@ -146,15 +151,34 @@ def pose_errors(case: Moved, T: Array) -> tuple[float, float]:
     return rotation_error(T, T_true), translation_error(T, T_true, center, case.scale)
 
 
-def right(errors: tuple[float, float]) -> bool:
-    """Tells whether both errors of a pose are small enough; they never are for NaN."""
-    return errors[0] < MAX_ROTATION_ERROR and errors[1] < MAX_TRANSLATION_ERROR
+def similarity_errors(case: Moved, T: Array) -> tuple[float, float, float]:
+    """The same, and the relative error of the scale, of a pose of a source of another scale."""
+    if case.factor == 1.0 and unknown_scale.is_rigid(T):
+        return *pose_errors(case, T), 0.0
+    center = case.factor * case.source.mean(axis=0)
+    rigid, scale = unknown_scale.rigid_at(T, center, case.factor)
+    T_true = case.motion.T_true
+    return (
+        rotation_error(rigid, T_true),
+        translation_error(rigid, T_true, center, case.scale),
+        scale,
+    )
+
+
+def right(errors: tuple[float, float, float]) -> bool:
+    """Tells whether all errors of a pose are small enough; they never are for NaN."""
+    rotation, translation, scale = errors
+    return (
+        rotation < MAX_ROTATION_ERROR
+        and translation < MAX_TRANSLATION_ERROR
+        and scale < unknown_scale.MAX_SCALE_ERROR
+    )
 
 
 def run(pair: Pair, index: int, register: Register, options: Options) -> Run:
     """One registration. An exception of the register function becomes a run with `error`,
     so that one crash does not lose the others; it is reported and fails the benchmark."""
-    case = moved(pair, index)
+    case = moved(pair, index, options.scale)
     seed = options.seed + index
     settings = dict(options.settings)
     if options.prior:
@@ -165,13 +189,15 @@ def run(pair: Pair, index: int, register: Register, options: Options) -> Run:
     own = replace(options, seed=seed, settings=settings)
     sensors = case.sensors if options.viewpoints else None
     outcome, error, wall = attempt(register, case.source, case.target, own, sensors)
-    rotation, translation, others = math.nan, math.nan, ()
+    errors, others = (math.nan, math.nan, 0.0), ()
     if outcome is not None and np.isfinite(outcome.transformation).all():
-        rotation, translation = pose_errors(case, outcome.transformation)
-        others = tuple(right(pose_errors(case, other.transformation))
+        errors = similarity_errors(case, outcome.transformation)
+        others = tuple(right(similarity_errors(case, other.transformation))
                        for other in outcome.alternatives)  # fmt: skip
     T_true, kind = case.motion.T_true, case.motion.kind
-    return Run(pair, index, kind, seed, T_true, wall, outcome, rotation, translation, error, others)
+    rotation, translation, scale = errors
+    return Run(pair, index, kind, seed, T_true, wall, outcome, rotation, translation, error, others,
+               scale)  # fmt: skip
 
 
 def attempt(

@@ -42,7 +42,10 @@ void Messages::verdict(const emtr_result& r) const {
   }
   EMTR_INFO("\n");
   EMTR_HIGHLIGHT("T ");
-  EMTR_INFO("(source into target, q = R p + t)\n");
+  if (r.scale == 1)
+    EMTR_INFO("(source into target, q = R p + t)\n");
+  else
+    EMTR_INFO("(source into target, q = s R p + t with s = %.9g)\n", r.scale);
   for (int i = 0; i < 16; i += 4) {
     const double* row = r.transformation + i;
     EMTR_VALUE("  %12.9g %12.9g %12.9g %14.9g\n", row[0], row[1], row[2], row[3]);

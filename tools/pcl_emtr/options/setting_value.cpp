@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "failure.h"
+#include "options/scale_bounds.h"
 #include "options/setting_text.h"
 #include "options/suggestion.h"
 #include "text/numbers.h"
@@ -40,7 +41,9 @@ std::string suggested(const emtr_setting_info& info, const std::string& text) {
 
 void set_setting(emtr_settings& settings, const emtr_setting_info& info, const std::string& text,
                  const std::string& called) {
-  const UsageFailure wrong(called + ": '" + text + "' is not " + expected(info) +
+  const bool is_scale = info.name == std::string("scale");
+  const std::string more = is_scale ? std::string(", nor ") + kScaleNumbers : "";
+  const UsageFailure wrong(called + ": '" + text + "' is not " + expected(info) + more +
                            suggested(info, text));
   if (info.name == std::string("seed")) {  // a double would lose digits
     const auto seed = parse_unsigned(text);
@@ -49,6 +52,7 @@ void set_setting(emtr_settings& settings, const emtr_setting_info& info, const s
     return;
   }
   const auto value = value_of(info, text);
+  if (!value && is_scale && set_scale_bounds(settings, text)) return;
   if (!value) throw wrong;
   if (emtr_setting_set(&settings, info.name, *value) != EMTR_OK)
     throw UsageFailure(called + ": " + emtr_error_message());

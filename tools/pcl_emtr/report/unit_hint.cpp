@@ -65,7 +65,8 @@ UnitHint unit_hint(const CloudFile& source, const CloudFile& target) {
   hint.factor = source_larger ? found->factor : 1 / found->factor;
   hint.text = std::string("the ") + (source_larger ? "source" : "target") + " is about " +
               rounded(larger) + " times as large as the " + (source_larger ? "target" : "source") +
-              ": are they in different units, such as " + found->names + "?";
+              ": are they in different units, such as " + found->names +
+              "? --scale units tries such factors";
   return hint;
 }
 

@@ -28,7 +28,7 @@ void write_aligned(const Options& options, CloudFile& source, const CloudFile& t
     if (options.residuals) residuals = measure_residuals(source, target, options, result);
   }
   using RowMajor = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
-  move_cloud(source, Eigen::Map<const RowMajor>(result.transformation));
+  move_cloud(source, Eigen::Map<const RowMajor>(result.transformation), result.scale);
   if (options.residuals) set_residuals(source, residuals);
   files.write(options.aligned, [&](const std::string& temporary) {
     write_cloud(source, *options.aligned_as, options.aligned, temporary);

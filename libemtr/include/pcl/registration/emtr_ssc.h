@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <pcl/registration/impl/emtr_ssc_cached_cloud.hpp>
 #include <pcl/registration/impl/emtr_ssc_user_input.hpp>
@@ -261,6 +262,32 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
    * \param[in] degrees most angle, 0 to 180; 180: any */
   void setMaximumRotation(double degrees) { settings_.maximum_rotation = degrees; }
 
+  /** \brief Searches the scale of the source's lengths too: the final transformation is then a
+   * similarity, q = s R p + t, and the priors and the guess speak of its R and t.
+   * \param[in] minimum least scale, 1e-6 to 1e6
+   * \param[in] maximum largest scale, not below the least; the same for one that is known */
+  void setScaleBounds(double minimum, double maximum) {
+    settings_.scale = minimum == 1 && maximum == 1 ? EMTR_SCALE_FIXED : EMTR_SCALE_BOUNDED;
+    settings_.scale_minimum = minimum;
+    settings_.scale_maximum = maximum;
+  }
+
+  /** \brief Searches any scale of the source's lengths. */
+  void setScaleFree() { searchScale(EMTR_SCALE_FREE); }
+
+  /** \brief Tries factors between units of length: 1, 10, 12, 25.4, 100, 304.8, 1000, and 1 over
+   * these. */
+  void setScaleToUnits() { searchScale(EMTR_SCALE_UNITS); }
+
+  /** \brief Searches no scale: both clouds have one unit. */
+  void clearScale() { searchScale(EMTR_SCALE_FIXED); }
+
+  /** \brief Returns the scale s of the final transformation: 1 unless it was searched, NaN before
+   * any align() and after one that failed. */
+  [[nodiscard]] double getScale() const {
+    return result_ ? result_->scale : std::numeric_limits<double>::quiet_NaN();
+  }
+
   /** \brief Sets descriptors of the source's points, which replace FPFH.
    *
    * Both clouds have descriptors of one type, or neither has any. A point whose descriptor has a
@@ -348,6 +375,11 @@ class EMTRSSCRegistration : public Registration<PointSource, PointTarget, Scalar
   void computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
 
  private:
+  void searchScale(emtr_scale searched) {
+    settings_.scale = searched;
+    settings_.scale_minimum = settings_.scale_maximum = 1;
+  }
+
   static void setViewpoint(const Eigen::Vector3f& viewpoint, std::int32_t& known,
                            double (&position)[3]);
 

@@ -117,7 +117,8 @@ void EMTRSSCRegistration<PointSource, PointTarget, Scalar>::computeTransformatio
   nr_iterations_ = static_cast<int>(result_->iterations);
   // A run that is stopped early has no pose to move the points by.
   if (final_transformation_.allFinite())
-    detail::transformPoints(output, final_transformation_.template cast<double>().eval());
+    detail::transformPoints(output, final_transformation_.template cast<double>().eval(),
+                            result_->scale);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>

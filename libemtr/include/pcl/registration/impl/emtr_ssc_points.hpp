@@ -26,11 +26,10 @@ std::vector<float> packPoints(const PointCloud<PointT>& cloud) {
 
 /** \brief Rotates the normal of a point whose type has one. */
 template <typename PointT>
-auto rotateNormal(PointT& point, const Eigen::Matrix4d& transformation, int)
+auto rotateNormal(PointT& point, const Eigen::Matrix3d& rotation, int)
     -> decltype(static_cast<void>(point.normal_x)) {
   const Eigen::Vector3d normal(point.normal_x, point.normal_y, point.normal_z);
-  const Eigen::Vector3f rotated =
-      (transformation.topLeftCorner<3, 3>() * normal).template cast<float>();
+  const Eigen::Vector3f rotated = (rotation * normal).template cast<float>();
   point.normal_x = rotated.x();
   point.normal_y = rotated.y();
   point.normal_z = rotated.z();
@@ -38,11 +37,14 @@ auto rotateNormal(PointT& point, const Eigen::Matrix4d& transformation, int)
 
 /** \brief Does nothing for a point type without a normal. */
 template <typename PointT>
-void rotateNormal(PointT&, const Eigen::Matrix4d&, long) {}
+void rotateNormal(PointT&, const Eigen::Matrix3d&, long) {}
 
-/** \brief Moves the finite points and rotates their normals; leaves all else as it is. */
+/** \brief Moves the finite points and rotates their normals; leaves all else as it is. `scale`: of
+ * the transformation, which normals do not take. */
 template <typename PointT>
-void transformPoints(PointCloud<PointT>& cloud, const Eigen::Matrix4d& transformation) {
+void transformPoints(PointCloud<PointT>& cloud, const Eigen::Matrix4d& transformation,
+                     double scale) {
+  const Eigen::Matrix3d rotation = transformation.topLeftCorner<3, 3>() / scale;
   for (auto& point : cloud) {
     if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) continue;
     const Eigen::Vector3d position(point.x, point.y, point.z);
@@ -52,7 +54,7 @@ void transformPoints(PointCloud<PointT>& cloud, const Eigen::Matrix4d& transform
     point.x = moved.x();
     point.y = moved.y();
     point.z = moved.z();
-    rotateNormal(point, transformation, 0);
+    rotateNormal(point, rotation, 0);
   }
 }
 

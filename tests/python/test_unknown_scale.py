@@ -1,0 +1,143 @@
+"""A source of another scale: the similarity is found, and what cannot be told is said."""
+
+import numpy as np
+import pytest
+import shapes
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pyemtr
+from pyemtr.options import make_settings
+
+QUICK = {"preset": "fast", "threads": 2}
+
+
+@pytest.fixture(scope="module")
+def pair():
+    return shapes.make_pair(5, count=6000)
+
+
+@pytest.fixture(scope="module")
+def found(pair):
+    return pyemtr.register(pair.source / 37, pair.target, scale="free", **QUICK)
+
+
+def test_the_similarity_is_found(pair, found):
+    assert found.registered
+    assert found.scale == pytest.approx(37, rel=0.005)
+    aligned = found.apply(pair.source / 37)
+    assert np.abs(aligned - shapes.apply(pair.truth, pair.source)).max() < 0.05
+    np.testing.assert_allclose(found.rotation @ found.rotation.T, np.eye(3), atol=1e-12)
+    np.testing.assert_allclose(
+        found.scale * found.rotation, found.transformation[:3, :3], rtol=1e-12
+    )
+    np.testing.assert_array_equal(found.translation, found.transformation[:3, 3])
+
+
+def test_the_inverse_is_that_of_the_similarity(found):
+    np.testing.assert_allclose(found.inverse() @ found.transformation, np.eye(4), atol=1e-9)
+
+
+def test_residuals_are_in_the_target_s_unit(pair, found):
+    of_source = found.residuals(pair.source / 37, pair.target)
+    rigid = pyemtr.residuals(found.apply(pair.source / 37), pair.target, np.eye(4))
+    np.testing.assert_allclose(of_source, rigid, atol=1e-4)
+    of_target = found.residuals(pair.source / 37, pair.target, of="target")
+    back = pyemtr.residuals(found.apply(pair.source / 37), pair.target, np.eye(4), of="target")
+    np.testing.assert_allclose(of_target, back, atol=1e-4)
+
+
+def test_the_result_keeps_the_scale_as_a_dict(found):
+    copy = pyemtr.Result.from_dict(found.to_dict())
+    assert copy.scale == found.scale
+    np.testing.assert_array_equal(copy.information_similarity, found.information_similarity)
+    assert copy.information_similarity.shape == (7, 7)
+    assert np.linalg.eigvalsh(copy.information_similarity).min() > 0
+
+
+def test_the_settings_repeat_the_run(pair, found):
+    again = pyemtr.register(pair.source / 37, pair.target, **{**found.settings, "threads": 1})
+    np.testing.assert_array_equal(again.transformation, found.transformation)
+
+
+def test_bounds_and_a_known_factor(pair):
+    bounded = pyemtr.register(pair.source / 1.1, pair.target, scale=(0.8, 1.25), **QUICK)
+    known = pyemtr.register(pair.source / 1.1, pair.target, scale=1.1, **QUICK)
+    for result in (bounded, known):
+        assert result.registered and result.scale == pytest.approx(1.1, rel=0.005)
+
+
+def test_a_unit_is_told_exactly(pair):
+    result = pyemtr.register(1000 * pair.source, pair.target, scale="units", **QUICK)
+    assert result.registered and result.scale == 1 / 1000
+
+
+def test_a_preprocessed_cloud_serves_all_scales(pair, found):
+    source, target = pyemtr.Cloud(pair.source / 37), pyemtr.Cloud(pair.target)
+    again = pyemtr.register(source, target, scale="free", **QUICK)
+    np.testing.assert_array_equal(again.transformation, found.transformation)
+
+
+def test_correspondences_alone_tell_the_scale():
+    rng = np.random.default_rng(3)
+    source = rng.uniform(size=(400, 3))
+    T = shapes.random_transformation(rng)
+    T[:3, :3] *= 2.7
+    target = shapes.apply(T, source) + rng.normal(scale=0.005, size=source.shape)
+    target[100:] = rng.uniform(-3, 3, (300, 3))
+    rows = np.stack([np.arange(400)] * 2, axis=1)
+    result = pyemtr.register(source, target, correspondences=rows, scale="free", threads=1)
+    assert result.registered
+    assert result.scale == pytest.approx(2.7, rel=0.01)
+    np.testing.assert_allclose(result.transformation, T, atol=0.03)
+
+
+def test_of_unrelated_scans_none_is_registered(pair):
+    rng = np.random.default_rng(8)
+    box = rng.uniform(-1, 1, (5000, 3)) * [1, 0.7, 0.5]
+    face = rng.integers(0, 3, 5000)
+    box[np.arange(5000), face] = np.sign(box[np.arange(5000), face]) * [1, 0.7, 0.5][0]
+    assert not pyemtr.register(box, pair.target, scale="free", **QUICK).registered
+
+
+def test_a_rigid_run_has_the_scale_one(pair):
+    result = pyemtr.register(pair.source, pair.target, **QUICK)
+    assert result.scale == 1
+    assert np.isnan(result.scale_constraint) and np.isnan(result.information_similarity).all()
+    assert result.timings["scale_search"] == 0
+
+
+@pytest.mark.parametrize(
+    ("scale", "error", "words"),
+    [
+        ("any", ValueError, "expected one of fixed, free, bounded, units"),
+        ((2, 1), ValueError, "contradict each other"),
+        ((1, 2, 3), TypeError, "a number or its two bounds"),
+        ((0, 2), ValueError, "scale_minimum"),
+        (float("nan"), ValueError, "scale_minimum"),
+        (True, TypeError, "expected one of"),
+    ],
+)
+def test_a_bad_scale_is_refused(pair, scale, error, words):
+    with pytest.raises(error, match=words):
+        pyemtr.register(pair.source, pair.target, scale=scale)
+
+
+def test_bounds_without_a_bounded_scale_are_refused(pair):
+    with pytest.raises(ValueError, match="say nothing unless 'scale' is bounded"):
+        pyemtr.register(pair.source, pair.target, scale_maximum=2)
+    with pytest.raises(TypeError, match="beside the bounds"):
+        pyemtr.register(pair.source, pair.target, scale=(1, 2), scale_maximum=3)
+
+
+def test_a_problem_has_one_scale(pair):
+    with pytest.raises(ValueError, match="a problem has one scale"):
+        pyemtr.Problem(pair.source, pair.target, scale="free")
+
+
+@given(st.floats(1e-5, 1e5), st.floats(1, 8))
+@settings(deadline=None)
+def test_numbers_become_bounds(low, ratio):
+    chosen = make_settings("default", {"scale": (low, low * ratio)})
+    assert chosen.get("scale_minimum") == low
+    assert chosen.get("scale_maximum") == low * ratio
