@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Makes docs/unknown_scale.png: the sample pair with a source half as large.
 
-Registers it with an unknown scale and puts three panels of plot_alignment() side by side. Run it after
-tools/quickstart, with build/venv/bin/python, which has Pillow.
+Registers it with an unknown scale and puts three panels of plot_alignment() side by side. Run it
+after tools/quickstart, with build/venv/bin/python, which has Pillow.
 """
 
 from __future__ import annotations

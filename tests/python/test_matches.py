@@ -126,3 +126,16 @@ def test_the_benchmark_counts_what_is_right(capsys: pytest.CaptureFixture[str]) 
         ("50", "0.0", "2/2"), ("50", "90.0", lines[1][3]), ("50", "100.0", "0/2"),
         ("300", "0.0", "2/2"), ("300", "90.0", "2/2"), ("300", "100.0", "0/2"),
     ]  # fmt: skip
+
+
+def test_matches_tell_an_unknown_scale():
+    case = make_case(300, 0.8, 0.01, 4, None, unknown_scale=True)
+    assert 1 < case.scale < 5
+    same = make_case(300, 0.8, 0.01, 4, None)
+    np.testing.assert_allclose(case.target, case.scale * same.target)
+    rows = np.stack([np.arange(300)] * 2, axis=1)
+    result = pyemtr.register(
+        case.source, case.target, correspondences=rows, scale="free", threads=1
+    )
+    assert result.registered
+    assert result.scale == pytest.approx(case.scale, rel=0.02)

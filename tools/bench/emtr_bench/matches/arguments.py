@@ -45,6 +45,11 @@ def parser() -> argparse.ArgumentParser:
         default=[0.0, 0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 1.0],
         help="how many of them are wrong (default: 0 50 80 90 95 98 99 100)")  # fmt: skip
     add("--noise", type=float, default=0.01, help="of a coordinate of the target (default: 0.01)")
+    add(
+        "--unknown-scale",
+        action="store_true",
+        help="targets 1 to 5 times as large, which nobody is told; right within 10 percent too",
+    )
     add("--cases", type=positive, default=20, metavar="N", help="of each kind (default: 20)")
     add("--threads", type=positive, default=1, metavar="N", help="(default: 1)")
     add_pair_options(made, "all")

@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+LARGEST_SCALE = 5.0
+
 
 @dataclass(frozen=True)
 class Case:
@@ -16,12 +18,21 @@ class Case:
 
     source: Array
     target: Array
-    truth: Array  # source into target, 4 by 4
+    truth: Array  # rigid, source into target, 4 by 4; the target is `scale` times as large
     right: int  # how many matches are
+    scale: float = 1.0
 
 
-def make_case(count: int, outliers: float, noise: float, seed: int, cloud: Array | None) -> Case:
-    """Makes a case by the protocol of TEASER++; of no cloud the points are uniform in the cube."""
+def make_case(
+    count: int,
+    outliers: float,
+    noise: float,
+    seed: int,
+    cloud: Array | None,
+    unknown_scale: bool = False,
+) -> Case:
+    """Makes a case by the protocol of TEASER++; of no cloud the points are uniform in the cube.
+    With an unknown scale, 1 to 5, the noise is that of the larger target."""
     rng = np.random.default_rng([count, round(1000 * outliers), seed])
     source = rng.random((count, 3)) if cloud is None else _sampled(cloud, count, rng)
     truth = np.eye(4)
@@ -31,7 +42,8 @@ def make_case(count: int, outliers: float, noise: float, seed: int, cloud: Array
     wrong = rng.permutation(count)[: round(outliers * count)]
     center = truth[:3, :3] @ np.full(3, 0.5) + truth[:3, 3]
     target[wrong] = center + np.sqrt(3) / 2 * _in_ball(rng, len(wrong))
-    return Case(source, target, truth, count - len(wrong))
+    scale = float(np.exp(rng.uniform(0, np.log(LARGEST_SCALE)))) if unknown_scale else 1.0
+    return Case(source, scale * target, truth, count - len(wrong), scale)
 
 
 def unit_cube(points: Array) -> Array:

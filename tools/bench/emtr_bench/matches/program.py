@@ -18,11 +18,12 @@ from .. import machine
 from ..data import chosen
 from ..pair_arguments import asks_for_pairs
 from ..pairs import FILES, DataError, read_ply
+from ..unknown_scale import split
 from ..whole_file import write_whole
-from .cases import Array, make_case, unit_cube
+from .cases import Array, Case, make_case, unit_cube
 from .solvers import PUBLISHED, Answer, Solver, emtr_solver, teaser_solver
 
-RIGHT_DEGREES, RIGHT_DISTANCE = 10.0, 0.1
+RIGHT_DEGREES, RIGHT_DISTANCE, RIGHT_SCALE = 10.0, 0.1, 0.1
 
 
 def matches(arguments: argparse.Namespace) -> int:
@@ -34,8 +35,8 @@ def matches(arguments: argparse.Namespace) -> int:
     except DataError as error:
         print(f"matches: {error}", file=sys.stderr)
         return 2
-    solvers: dict[str, Solver] = {"emtr": emtr_solver(arguments.threads)}
-    teaser = teaser_solver(arguments.noise)
+    solvers: dict[str, Solver] = {"emtr": emtr_solver(arguments.threads, arguments.unknown_scale)}
+    teaser = teaser_solver(arguments.noise, arguments.unknown_scale)
     if teaser:
         solvers["TEASER++"] = teaser
     else:
@@ -68,25 +69,29 @@ def solve_all(
     """A row for each kind of case and solver, printed as it is done."""
     for count, outliers in itertools.product(arguments.counts, arguments.outliers):
         cases = [
-            make_case(count, outliers, arguments.noise, seed, cloud)
+            make_case(count, outliers, arguments.noise, seed, cloud, arguments.unknown_scale)
             for seed in range(arguments.cases)
         ]
         for name, solve in solvers.items():
-            answers = [(solve(case), case.truth) for case in cases]
+            answers = [(solve(case), case) for case in cases]
             row = {"solver": name, "count": count, "outliers": outliers, **summary(answers)}
             print(line(row), flush=True)
             yield row
 
 
-def summary(answers: list[tuple[Answer, Any]]) -> dict[str, float]:
-    """Returns the figures of cases of one kind."""
-    degrees = [rotation_error(answer.pose, truth) for answer, truth in answers]
+def summary(answers: list[tuple[Answer, Case]]) -> dict[str, float]:
+    """Returns the figures of cases of one kind. Distances are in the source's unit."""
+    found = [split(answer.pose) for answer, _ in answers]
+    cases = [case for _, case in answers]
+    degrees = [rotation_error(rigid, case.truth) for (_, rigid), case in zip(found, cases)]
     distances = [
-        float(np.linalg.norm(answer.pose[:3, 3] - truth[:3, 3])) for answer, truth in answers
+        float(np.linalg.norm(rigid[:3, 3] / case.scale - case.truth[:3, 3]))
+        for (_, rigid), case in zip(found, cases)
     ]
+    scales = [abs(scale / case.scale - 1) for (scale, _), case in zip(found, cases)]
     right = [
-        angle < RIGHT_DEGREES and distance < RIGHT_DISTANCE
-        for angle, distance in zip(degrees, distances)
+        angle < RIGHT_DEGREES and distance < RIGHT_DISTANCE and scale < RIGHT_SCALE
+        for angle, distance, scale in zip(degrees, distances, scales)
     ]
     registered = [answer.registered for answer, _ in answers]
     return {
@@ -96,13 +101,14 @@ def summary(answers: list[tuple[Answer, Any]]) -> dict[str, float]:
         "cases": len(answers),
         "degrees": median(degrees),
         "distance": median(distances),
+        "scale": median(scales),
         "seconds": median(answer.seconds for answer, _ in answers),
     }
 
 
 HEAD = (
     f"{'':<9}{'matches':>8}{'wrong %':>9}{'right':>9}{'registered':>12}{'wrong':>7}"
-    f"{'degrees':>11}{'distance':>11}{'seconds':>10}"
+    f"{'degrees':>11}{'distance':>11}{'scale %':>10}{'seconds':>10}"
 )
 
 
@@ -111,5 +117,5 @@ def line(row: dict[str, Any]) -> str:
     return (
         f"{row['solver']:<9}{row['count']:>8}{100 * row['outliers']:>9.1f}{right:>9}"
         f"{row['registered']:>12}{row['wrong']:>7}{row['degrees']:>11.3g}"
-        f"{row['distance']:>11.3g}{row['seconds']:>10.4f}"
+        f"{row['distance']:>11.3g}{100 * row['scale']:>10.3g}{row['seconds']:>10.4f}"
     )

@@ -21,7 +21,7 @@ abstract): robust to more than 99 % outliers; TEASER++ can run in milliseconds."
 
 @dataclass(frozen=True)
 class Answer:
-    pose: Array
+    pose: Array  # a similarity where the scale was searched
     seconds: float
     registered: bool
     confidence: float
@@ -30,7 +30,7 @@ class Answer:
 Solver = Callable[[Case], Answer]
 
 
-def emtr_solver(threads: int) -> Solver:
+def emtr_solver(threads: int, unknown_scale: bool = False) -> Solver:
     def solve(case: Case) -> Answer:
         rows = np.arange(len(case.source))
         begin = perf_counter()
@@ -39,6 +39,7 @@ def emtr_solver(threads: int) -> Solver:
             case.target,
             correspondences=np.column_stack([rows, rows]),
             threads=threads,
+            scale="free" if unknown_scale else "fixed",
         )
         seconds = perf_counter() - begin
         return Answer(result.transformation, seconds, result.registered, result.confidence)
@@ -46,7 +47,7 @@ def emtr_solver(threads: int) -> Solver:
     return solve
 
 
-def teaser_solver(noise: float) -> Solver | None:
+def teaser_solver(noise: float, unknown_scale: bool = False) -> Solver | None:
     """Returns TEASER++ with the parameters of its own examples, or None when there is none."""
     if importlib.util.find_spec("teaserpp_python") is None:
         return None
@@ -55,8 +56,8 @@ def teaser_solver(noise: float) -> Solver | None:
     def solve(case: Case) -> Answer:
         parameters = teaser.RobustRegistrationSolver.Params()
         parameters.cbar2 = 1
-        parameters.noise_bound = 5.54 * noise
-        parameters.estimate_scaling = False
+        parameters.noise_bound = 5.54 * noise * case.scale
+        parameters.estimate_scaling = unknown_scale
         parameters.rotation_gnc_factor = 1.4
         parameters.rotation_max_iterations = 100
         parameters.rotation_cost_threshold = 1e-12
@@ -66,7 +67,8 @@ def teaser_solver(noise: float) -> Solver | None:
         seconds = perf_counter() - begin
         found = solver.getSolution()
         pose = np.eye(4)
-        pose[:3, :3], pose[:3, 3] = found.rotation, found.translation
+        scale = found.scale if unknown_scale else 1.0
+        pose[:3, :3], pose[:3, 3] = scale * found.rotation, found.translation
         return Answer(pose, seconds, False, float("nan"))
 
     return solve
