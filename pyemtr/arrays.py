@@ -145,7 +145,7 @@ def real_array(values: Any, name: str) -> NDArray[Any]:
             f" ({type(values).__name__})"
         )
     if isinstance(values, np.ma.MaskedArray):
-        return np.where(np.ma.getmaskarray(values), np.nan, array)
+        return np.where(np.broadcast_to(values.mask, array.shape), np.nan, array)
     return array
 
 

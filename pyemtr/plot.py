@@ -194,7 +194,7 @@ def _legend(ax: Axes) -> None:
 
 
 def _finite(cloud: Any, name: str) -> Floats:
-    points = as_points(cloud, name).astype(np.float64)
+    points: Floats = as_points(cloud, name).astype(np.float64)
     points = points[np.isfinite(points).all(axis=1)]
     if not len(points):
         raise ValueError(f"{name}: expected at least one finite point, got none")
