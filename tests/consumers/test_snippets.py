@@ -110,6 +110,21 @@ def test_own_point_type(installed, needs_pkg_config, tmp_path) -> None:
     assert said[0] == said[1] and re.fullmatch(r"registered, ring 7\n", said[0])
 
 
+def test_unknown_scale(installed, needs_pkg_config, tmp_path) -> None:
+    """The programs of its page, with the build lines of the README."""
+    page = pages.ROOT / "docs" / "UNKNOWN_SCALE.md"
+    (tmp_path / "main.c").write_text(snippet(page, "c"))
+    printed = installed.run(by_line(installed, build_line(README, "cc"), tmp_path), folder=tmp_path)
+    assert printed == "registered, scale 2.54\n"
+    if not installed.has_class:
+        return
+    (tmp_path / "main.cpp").write_text(snippet(page, "cpp"))
+    printed = installed.run(
+        by_line(installed, build_line(README, "c++"), tmp_path), folder=tmp_path
+    )
+    assert printed == "registered, scale 0.001\n"
+
+
 def test_no_program_of_the_pages_is_forgotten() -> None:
     found = {
         (pages.name(page), language)
@@ -124,5 +139,7 @@ def test_no_program_of_the_pages_is_forgotten() -> None:
         ("docs/ENTRY_POINTS.md", "cmake"),
         ("docs/INSTALL.md", "cpp"),
         ("docs/INSTALL.md", "cmake"),
+        ("docs/UNKNOWN_SCALE.md", "c"),
+        ("docs/UNKNOWN_SCALE.md", "cpp"),
         ("docs/PORTING.md", "cpp"),  # built by tests/python/test_porting.py
     }

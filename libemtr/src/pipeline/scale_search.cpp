@@ -25,8 +25,10 @@ constexpr double kDistinctScale = 0.05;  // of the logarithm
 Settings quick(Settings settings) {
   const Settings fast = preset("fast");
   settings.dense_points = std::min(settings.dense_points, fast.dense_points);
-  settings.iterations = std::min(settings.iterations, fast.iterations);
-  settings.population = std::min(settings.population, fast.population);
+  if (settings.seeds > 0) {  // else the swarms find the pose alone
+    settings.iterations = std::min(settings.iterations, fast.iterations);
+    settings.population = std::min(settings.population, fast.population);
+  }
   settings.injected_seeds = std::min(settings.injected_seeds, fast.injected_seeds);
   settings.candidates = std::max(1, std::min(settings.candidates, fast.candidates));
   settings.rivals = 0;
