@@ -54,6 +54,8 @@ class CloudBuffer:
         points: NDArray[Any],
         normals: NDArray[Any] | None = None,
         features: NDArray[np.float32] | None = None,
+        colors: NDArray[np.float32] | None = None,
+        intensity: NDArray[np.float32] | None = None,
         keep_points: bool = False,
     ) -> None: ...
 

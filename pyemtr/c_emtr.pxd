@@ -73,6 +73,10 @@ cdef extern from "emtr/emtr.h" nogil:
         size_t feature_dimension
         size_t feature_stride
         int32_t keep_points
+        const float* colors
+        size_t color_stride
+        const float* intensities
+        size_t intensity_stride
 
     ctypedef struct emtr_progress:
         const char* stage

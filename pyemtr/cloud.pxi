@@ -33,13 +33,17 @@ cdef class Rows:
 
 @cython.final
 cdef class CloudBuffer:
-    """Points (n, 3), normals (n, 3) of the same type or None, features float32 (n, d) or None."""
+    """Points (n, 3), normals (n, 3) of the same type or None, features float32 (n, d) or None,
+    colors float32 (n, 3) or None, intensity float32 (n, 1) or None."""
     cdef Rows points
     cdef Rows normals
     cdef Rows features
+    cdef Rows colors
+    cdef Rows intensity
     cdef emtr_cloud cloud
 
-    def __init__(self, points, normals=None, features=None, bint keep_points=False):
+    def __init__(self, points, normals=None, features=None, colors=None, intensity=None,
+                 bint keep_points=False):
         self.points = Rows(points)
         if self.points.view.shape[1] != 3:
             raise ValueError("a cloud of float32 or float64 with shape (n, 3) is expected")
@@ -61,6 +65,20 @@ cdef class CloudBuffer:
             self.cloud.features = <const float*>self.features.view.buf
             self.cloud.feature_dimension = self.features.view.shape[1]
             self.cloud.feature_stride = self.features.stride
+        if colors is not None:
+            self.colors = self.channels(colors, 3)
+            self.cloud.colors = <const float*>self.colors.view.buf
+            self.cloud.color_stride = self.colors.stride
+        if intensity is not None:
+            self.intensity = self.channels(intensity, 1)
+            self.cloud.intensities = <const float*>self.intensity.view.buf
+            self.cloud.intensity_stride = self.intensity.stride
+
+    cdef Rows channels(self, array, Py_ssize_t columns):
+        cdef Rows rows = self.beside(array)
+        if not rows.single or rows.view.shape[1] != columns:
+            raise ValueError("colors (n, 3) and intensities (n, 1) of float32 are expected")
+        return rows
 
     cdef Rows beside(self, array):
         cdef Rows rows = Rows(array)

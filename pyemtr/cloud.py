@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from . import _emtr
 from .arrays import Floats, as_features, as_normals
-from .mesh import MESH_POINTS, as_mesh_points
+from .colors import as_colors, as_intensity, brought_along
+from .mesh import MESH_POINTS, as_mesh_points, mesh_of
 from .options import thread_setting
-from .points import as_points
+from .points import as_points, opened
 
 _ALWAYS_KEPT = 200_000  # points; the library keeps those of smaller clouds too
 
@@ -33,9 +34,11 @@ class Cloud:
             or an object with points.
         normals: (N, 3) or None, as ``source_normals`` of :func:`pyemtr.register`.
         features: (N, D) or None, as its ``source_features``.
+        colors: (N, 3) or None, as its ``source_colors``.
+        intensity: (N,) or None, as its ``source_intensity``.
         keep_points: keep all points of a cloud of more than 200 000: 12 bytes each, so that it can
-            be registered with ``correspondences``, and the array as it was given, with normals
-            and features, for ``points`` and pickles. A smaller cloud always keeps them.
+            be registered with ``correspondences``, and the array as it was given, with normals,
+            features and colors, for ``points`` and pickles. A smaller cloud always keeps them.
         threads: 0 for as many as OpenMP would use; the cloud does not depend on it.
         mesh_points: as in :func:`pyemtr.register`.
 
@@ -52,16 +55,21 @@ class Cloud:
         *,
         normals: Any = None,
         features: Any = None,
+        colors: Any = None,
+        intensity: Any = None,
         keep_points: bool = False,
         threads: int = 0,
         mesh_points: int = MESH_POINTS,
     ) -> None:
-        rows = _Rows.of(points, "points", normals, features, "", as_mesh_points(mesh_points))
+        beside = Beside(normals, features, colors, intensity)
+        rows = _Rows.of(points, "points", beside, "", as_mesh_points(mesh_points))
         self._raw = _emtr.Preprocessed(rows.buffer(keep_points), "", thread_setting(threads))
         self._info: dict[str, Any] = self._raw.describe()
         self._options = {"keep_points": keep_points, "threads": threads}
         self._kept = rows.copied() if keep_points or len(rows.points) <= _ALWAYS_KEPT else None
         self._given = len(rows.points)
+        self._colors = rows.colors is not None
+        self._intensity = rows.intensity is not None
 
     @property
     def points(self) -> NDArray[Any]:
@@ -111,6 +119,16 @@ class Cloud:
         return bool(self._info["normals"])
 
     @property
+    def has_colors(self) -> bool:
+        """True when it has colors, given or brought along."""
+        return self._colors
+
+    @property
+    def has_intensity(self) -> bool:
+        """True when it has intensities, given or brought along."""
+        return self._intensity
+
+    @property
     def keypoints(self) -> int:
         """The number of points with user-provided features; counted after downsampling when the
         cloud has more than 200 000 points."""
@@ -131,7 +149,8 @@ class Cloud:
         """About how many bytes of memory it takes: the points that the library works with, with
         normals and features, and those that ``points`` gives."""
         info = self._info
-        base = int(info["base_points"]) * (24 if info["normals"] else 12)
+        parts = 1 + bool(info["normals"]) + (self._colors or self._intensity)
+        base = int(info["base_points"]) * 12 * parts
         found = int(info["keypoints"]) * (4 * int(info["feature_dimension"]) + 24)
         kept = 0
         if self._kept is not None:
@@ -144,27 +163,38 @@ class Cloud:
         dropped = f", {self.dropped} dropped" if self.dropped else ""
         strays = f", {self.strays} strays" if self.strays else ""
         normals = ", normals" if self.has_normals else ""
+        colors = ", colors" if self.has_colors else ""
+        intensity = ", intensity" if self.has_intensity else ""
         features = f", {self.keypoints} features of {self._info['feature_dimension']}"
         return (
             f"<pyemtr.Cloud: {len(self)} points{dropped}{strays}{normals}"
-            f"{features if self.keypoints else ''}, radius {self.radius:.6g}>"
+            f"{colors}{intensity}{features if self.keypoints else ''}, radius {self.radius:.6g}>"
         )
+
+
+class Beside(NamedTuple):
+    """What the user provides beside a cloud, as it was given; None for none."""
+
+    normals: Any = None
+    features: Any = None
+    colors: Any = None
+    intensity: Any = None
 
 
 def as_cloud(
     cloud: Any,
     name: str,
-    normals: Any = None,
-    features: Any = None,
+    beside: Beside | None = None,
     keep_points: bool = False,
     mesh_points: int = MESH_POINTS,
 ) -> _emtr.CloudBuffer | _emtr.Preprocessed:
-    """Returns what the C library reads: a preprocessed cloud, or points with their normals and
-    features. Raises TypeError when a :class:`Cloud` comes with normals or features beside it."""
+    """Returns what the C library reads: a preprocessed cloud, or points with what is beside them.
+    Raises TypeError when a :class:`Cloud` comes with something beside it."""
     if not isinstance(cloud, Cloud):
-        rows = _Rows.of(cloud, name, normals, features, f"{name}_", mesh_points)
-        return rows.buffer(keep_points)
-    for given, what in ((normals, "normals"), (features, "features")):
+        return _Rows.of(cloud, name, beside or Beside(), f"{name}_", mesh_points).buffer(
+            keep_points
+        )
+    for what, given in (beside or Beside())._asdict().items():
         if given is not None:
             raise TypeError(
                 f"{name}_{what}: a pyemtr.Cloud has its own; give them to pyemtr.Cloud()"
@@ -173,28 +203,32 @@ def as_cloud(
 
 
 class _Rows(NamedTuple):
-    """A cloud's points, normals and features, one row a point."""
+    """A cloud's points with normals, features, colors and intensities, one row a point."""
 
     points: NDArray[Any]
-    normals: NDArray[Any] | None
-    features: NDArray[np.float32] | None
+    normals: NDArray[Any] | None = None
+    features: NDArray[np.float32] | None = None
+    colors: NDArray[np.float32] | None = None
+    intensity: NDArray[np.float32] | None = None
 
     @classmethod
-    def of(
-        cls,
-        points: Any,
-        name: str,
-        normals: Any,
-        features: Any,
-        prefix: str,
-        mesh_points: int,
-    ) -> _Rows:
+    def of(cls, points: Any, name: str, beside: Beside, prefix: str, mesh_points: int) -> _Rows:
         """Returns the arguments as arrays; errors call the points ``name``."""
-        array = as_points(points, name, mesh_points)
+        cloud, title = opened(points, name)
+        array = as_points(cloud, title, mesh_points)
+        normals, features, colors, intensity = beside
+        if colors is None and intensity is None and mesh_of(cloud, title) is None:
+            colors, intensity = brought_along(cloud, title, len(array))
+        else:
+            colors = None if colors is None else as_colors(colors, f"{prefix}colors", len(array))
+            if intensity is not None:
+                intensity = as_intensity(intensity, f"{prefix}intensity", len(array))
         return cls(
             array,
             None if normals is None else as_normals(normals, f"{prefix}normals", array),
             None if features is None else as_features(features, f"{prefix}features", array),
+            colors,
+            intensity,
         )
 
     def buffer(self, keep_points: bool) -> _emtr.CloudBuffer:
@@ -202,9 +236,7 @@ class _Rows(NamedTuple):
 
     def copied(self) -> _Rows:
         """Returns rows that refer to nobody's memory and cannot be changed."""
-        normals = None if self.normals is None else _frozen(self.normals)
-        features = None if self.features is None else _frozen(self.features)
-        return _Rows(_frozen(self.points), normals, features)
+        return _Rows(*(None if array is None else _frozen(array) for array in self))
 
 
 def _frozen(rows: NDArray[Any]) -> NDArray[Any]:
@@ -213,7 +245,10 @@ def _frozen(rows: NDArray[Any]) -> NDArray[Any]:
     return copied
 
 
-def _again(rows: tuple[Any, Any, Any], options: dict[str, Any]) -> Cloud:
+def _again(rows: tuple[Any, ...], options: dict[str, Any]) -> Cloud:
     """Makes a cloud of what a pickle has."""
-    points, normals, features = rows
-    return Cloud(points, normals=normals, features=features, **options)
+    points, normals, features, colors, intensity = rows
+    plain = None if intensity is None else intensity.reshape(-1)
+    return Cloud(
+        points, normals=normals, features=features, colors=colors, intensity=plain, **options
+    )

@@ -99,8 +99,23 @@ def _read_pcd(path: str) -> Any:
     return import_module("pypcd4").PointCloud.from_path(path).pc_data
 
 
+class LasPoints(NamedTuple):
+    """The points of a LAS file, with what it has beside them."""
+
+    xyz: Any
+    colors: Any
+    intensity: Any
+
+
 def _read_las(path: str) -> Any:
-    return np.asarray(import_module("laspy").read(path).xyz)
+    content = import_module("laspy").read(path)
+    known = set(content.point_format.dimension_names)
+    colors = intensity = None
+    if {"red", "green", "blue"} <= known and np.any(content.red):
+        colors = np.column_stack([content.red, content.green, content.blue])
+    if "intensity" in known and np.any(content.intensity):
+        intensity = np.asarray(content.intensity)
+    return LasPoints(np.asarray(content.xyz), colors, intensity)
 
 
 _READERS = {

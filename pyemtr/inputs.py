@@ -8,7 +8,7 @@ from typing import Any
 
 from . import _emtr
 from .arrays import as_bounds, as_correspondences, as_transformation, as_vector
-from .cloud import as_cloud
+from .cloud import Beside, as_cloud
 from .mesh import MESH_POINTS, as_mesh_points
 from .options import make_settings, settings_used
 
@@ -33,6 +33,10 @@ class Inputs:
     target_normals: Any = None
     source_features: Any = None
     target_features: Any = None
+    source_colors: Any = None
+    target_colors: Any = None
+    source_intensity: Any = None
+    target_intensity: Any = None
     correspondences: Any = None
     mesh_points: int = MESH_POINTS
 
@@ -70,16 +74,22 @@ class Inputs:
     def clouds(
         self, source: Any, target: Any
     ) -> tuple[_emtr.CloudBuffer | _emtr.Preprocessed, _emtr.CloudBuffer | _emtr.Preprocessed]:
-        """Returns both clouds with their normals and features, as the C library reads them.
+        """Returns both clouds with what the user provided beside them, as the C library reads them.
 
         Correspondences refer to rows of all points, so all points are kept when there are any.
         Raises as :class:`pyemtr.Cloud`.
         """
         keep = self.correspondences is not None
         count = as_mesh_points(self.mesh_points)
+        beside_source = Beside(
+            self.source_normals, self.source_features, self.source_colors, self.source_intensity
+        )
+        beside_target = Beside(
+            self.target_normals, self.target_features, self.target_colors, self.target_intensity
+        )
         return (
-            as_cloud(source, "source", self.source_normals, self.source_features, keep, count),
-            as_cloud(target, "target", self.target_normals, self.target_features, keep, count),
+            as_cloud(source, "source", beside_source, keep, count),
+            as_cloud(target, "target", beside_target, keep, count),
         )
 
     def used(self, chosen: _emtr.Settings) -> dict[str, Any]:

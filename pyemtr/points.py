@@ -12,6 +12,7 @@ from .arrays import contiguous_rows, real_array
 from .cloud_files import read_cloud
 from .columns import columns_by_name
 from .mesh import MESH_POINTS, mesh_of, sample_mesh
+from .tensors import is_tensor, plain
 
 # Where objects keep their points, in the order in which they are asked: laspy's ``points`` are raw
 # records beside its ``xyz``; a trimesh.PointCloud has vertices; a tensor cloud of Open3D has
@@ -31,26 +32,33 @@ def as_points(cloud: Any, name: str, mesh_points: int = MESH_POINTS) -> NDArray[
         OSError: a file that cannot be read.
         ImportError: the package that reads such files is not installed.
     """
+    cloud, name = opened(cloud, name)
     values = _coordinates(cloud, name, mesh_points)
-    if isinstance(cloud, (str, os.PathLike)):
-        name = f"{name}: {os.fspath(cloud)}"
     array = _three_columns(real_array(values, name), name)
     if array.dtype not in (np.dtype(np.float32), np.dtype(np.float64)):
         array = array.astype(np.float32 if array.dtype == np.float16 else np.float64)
     return contiguous_rows(array)
 
 
+def opened(cloud: Any, name: str) -> tuple[Any, str]:
+    """Returns what a file has, and how errors name it; anything else as it is.
+
+    Raises OSError, ValueError or ImportError, as :func:`as_points`.
+    """
+    if not isinstance(cloud, (str, os.PathLike)):
+        return cloud, name
+    path = os.fspath(cloud)
+    return read_cloud(path, name), f"{name}: {path}"
+
+
 def _coordinates(cloud: Any, name: str, mesh_points: int) -> Any:
-    if isinstance(cloud, (str, os.PathLike)):
-        path = os.fspath(cloud)
-        cloud, name = read_cloud(path, name), f"{name}: {path}"
     if isinstance(cloud, np.ndarray) and cloud.dtype.names:
         return columns_by_name(cloud.dtype.names, cloud.__getitem__, name)
     if hasattr(cloud, "columns") and hasattr(cloud, "__getitem__"):  # a DataFrame
         named = columns_by_name(cloud.columns, cloud.__getitem__, name, unnamed=3)
         return cloud if named is None else named
-    if _is_tensor(cloud):
-        return _plain(cloud)
+    if is_tensor(cloud):
+        return plain(cloud)
     if hasattr(cloud, "__array__"):
         return cloud
     if hasattr(cloud, "to_geometry"):  # a scene of trimesh
@@ -60,30 +68,12 @@ def _coordinates(cloud: Any, name: str, mesh_points: int) -> Any:
         return sample_mesh(*mesh, mesh_points, name)
     for attribute in _ATTRIBUTES:
         try:
-            return _plain(getattr(cloud, attribute))
+            return plain(getattr(cloud, attribute))
         except AttributeError:
             continue
         except TypeError as error:
             raise TypeError(f"{name}: {error}") from error
     return cloud
-
-
-def _plain(points: Any) -> Any:
-    """Returns what an attribute gives: points, a method that returns them (small_gicp, python-pcl),
-    or a map of tensors by name (Open3D)."""
-    if callable(points):
-        points = points()
-    if hasattr(points, "positions"):
-        points = points.positions
-    if _is_tensor(points):
-        points = points.detach() if hasattr(points, "detach") else points
-        points = points.cpu().numpy()
-    return points
-
-
-def _is_tensor(thing: Any) -> bool:
-    """Tells whether it is a tensor of Open3D or PyTorch, perhaps on another device."""
-    return hasattr(thing, "cpu") and hasattr(thing, "numpy")
 
 
 def _three_columns(array: NDArray[Any], name: str) -> NDArray[Any]:

@@ -32,6 +32,10 @@ def register(
     target_normals: Any = None,
     source_features: Any = None,
     target_features: Any = None,
+    source_colors: Any = None,
+    target_colors: Any = None,
+    source_intensity: Any = None,
+    target_intensity: Any = None,
     correspondences: Any = None,
     mesh_points: int = MESH_POINTS,
     callback: Callback | None = None,
@@ -80,6 +84,16 @@ def register(
             marks a point without a descriptor. Used as float32; give both clouds' or none, with
             the same D.
         target_features: (M, D), likewise for the target.
+        source_colors: (N, 3), red, green and blue of the source's points: whole numbers from 0 to
+            255 (65535 if they are uint16), or real ones from 0 to 1; NaN for a point without a
+            color. None takes what the cloud brings along: the colors of a file or of an object with
+            ``.colors``, of a table's columns red, green and blue (or r, g and b). The setting
+            ``use_colors`` says what they are used for.
+        target_colors: (M, 3), likewise for the target.
+        source_intensity: (N,), what the source's sensor received of each point, not below 0, in
+            any unit; NaN for none. Used as colors are, where the clouds have no colors. None takes
+            the column or field ``intensity`` of the cloud.
+        target_intensity: (M,), likewise for the target.
         correspondences: (K, 2) integers, rows of source and target that show the same place; many
             may be wrong. They replace feature matching. At least 3 different ones are needed; of
             more than ``max_correspondences``, that many are used, evenly spaced over the list.

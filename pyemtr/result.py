@@ -95,6 +95,11 @@ class Result:
             or the direction of the translations; NaN where there is no symmetry.
         symmetry_period: length of the shortest translation, the user's unit; 0 where any length is
             one, NaN unless translational.
+        used_colors: True when colors decided about the pose, or took part in its refinement.
+        color_correlation: of the colors of both clouds where they overlap, -1 to 1; NaN where they
+            were not looked at, or tell nothing.
+        color_evidence: logarithm of the likelihood of these colors under the pose by that of
+            unrelated ones; NaN as above.
         information: float64 (6, 6), inverse covariance of the pose for a small rotation w
             (radians) followed by a translation v (the user's unit) about ``center_target`` c:
             q = exp(w) (R p + t - c) + c + v. NaN when not refined, like the next two.
@@ -169,6 +174,9 @@ class Result:
     symmetry_order: int
     symmetry_axis: Floats
     symmetry_period: float
+    used_colors: bool
+    color_correlation: float
+    color_evidence: float
     information: Floats
     information_similarity: Floats
     scale_constraint: float

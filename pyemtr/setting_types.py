@@ -71,6 +71,7 @@ class MethodSettings(TypedDict, total=False):
     scale_minimum: float
     scale_maximum: float
     task_gamma: Switch
+    use_colors: Literal["off", "auto", "on"]
     maximum_fitness: float
     minimum_fitness_gap: float
     minimum_confidence: float
@@ -109,5 +110,9 @@ class AllSettings(MethodSettings, total=False):
     target_normals: Any
     source_features: Any
     target_features: Any
+    source_colors: Any
+    target_colors: Any
+    source_intensity: Any
+    target_intensity: Any
     correspondences: Any
     mesh_points: int

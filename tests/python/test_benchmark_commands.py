@@ -35,7 +35,7 @@ def run(name, *words):
 
 
 def test_all_commands_are_found():
-    others = {"batch", "cancel", "convert", "neighbors", "regress", "report", "scaling"}
+    others = {"batch", "cancel", "colors", "convert", "neighbors", "regress", "report", "scaling"}
     assert {*OF_PAIRS, *others} <= set(COMMANDS)
 
 

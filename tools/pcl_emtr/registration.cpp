@@ -5,6 +5,7 @@
 #include "console/progress_line.h"
 #include "failure.h"
 #include "interrupt.h"
+#include "read/color_fields.h"
 #include "read/coordinates.h"
 #include "report/unit_hint.h"
 
@@ -64,6 +65,12 @@ Result run_registration(const CloudFile& source, const CloudFile& target, const 
   std::vector<double> target_normals;
   options.fields.attach(source, source_points, source_normals);
   options.fields.attach(target, target_points, target_normals);
+  ColorFields source_colors;
+  ColorFields target_colors;
+  if (options.settings.use_colors != EMTR_OFF) {
+    attach_colors(source, source_points, source_colors);
+    attach_colors(target, target_points, target_colors);
+  }
 
   emtr_result* raw = nullptr;
   emtr_status status;

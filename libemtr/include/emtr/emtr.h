@@ -110,7 +110,9 @@ typedef enum emtr_scalar { EMTR_FLOAT32 = 0, EMTR_FLOAT64 = 1 } emtr_scalar;
  * Features are descriptors of any kind. Both clouds have them or neither. They replace FPFH:
  * points that are each other's nearest neighbors by Euclidean distance become correspondences. A
  * point whose row has a NaN or an infinity is no keypoint. A cloud of more than 20 000 keypoints
- * is reduced to one keypoint in each dense leaf, the one nearest to its center. */
+ * is reduced to one keypoint in each dense leaf, the one nearest to its center.
+ * Colors and intensities are optional too; see the setting use_colors. A point whose color has a
+ * NaN or an infinity has none. A cloud that has colors needs no intensities: they are not read. */
 typedef struct emtr_cloud {
   const void* points;
   size_t count;
@@ -125,6 +127,10 @@ typedef struct emtr_cloud {
    * matters only for clouds of more than 200 000 points, at 12 bytes each: smaller clouds always
    * keep theirs */
   int32_t keep_points EMTR_ZERO;
+  const float* colors EMTR_ZERO;      /* (count, 3): red, green, blue, 0 to 1 */
+  size_t color_stride EMTR_ZERO;      /* bytes, 0: packed */
+  const float* intensities EMTR_ZERO; /* (count), not below 0, in any unit */
+  size_t intensity_stride EMTR_ZERO;  /* bytes, 0: packed */
 } emtr_cloud;
 
 /* ---- settings ----------------------------------------------------------------------- */
@@ -251,6 +257,9 @@ typedef struct emtr_settings {
 
   /* refinement of the answer on the fine clouds */
   int32_t refine;     /* 0: off */
+  int32_t use_colors; /* an emtr_when, for the colors or intensities of both clouds; EMTR_AUTO:
+                       * where their shape leaves the pose open, EMTR_ALWAYS: everywhere, and clouds
+                       * without colors are an error */
   double refine_leaf; /* radii */
 
   /* unknown scale of the source: then the transformation is a similarity, q = s R p + t, and the
@@ -496,6 +505,12 @@ typedef struct emtr_result {
    * where the scale was not searched or refined */
   double information_similarity[49];
   double seconds_scale_search;
+  /* by use_colors */
+  int32_t used_colors;      /* 1: colors decided about the pose, or took part in its refinement */
+  double color_correlation; /* of the colors of both clouds where they overlap, -1 to 1; NaN where
+                               they were not looked at, or tell nothing */
+  double color_evidence;    /* logarithm of the likelihood of these colors under the pose by that of
+                               unrelated ones; NaN as above */
 } emtr_result;
 
 /* Registers the source to the target.

@@ -31,6 +31,10 @@ class CandidateSearch {
   bool used_fallback_search() const { return used_fallback_search_; }
 
   const std::vector<Candidate>& ranked() const { return candidates_->ranked(); }
+  const CandidateSet& candidates() const { return *candidates_; }
+
+  /// Puts a candidate that something else than the score has chosen before all others.
+  void put_first(const Candidate& candidate) { candidates_->put_first(candidate); }
 
  private:
   void add_rivals(CandidateSet& candidates) const;

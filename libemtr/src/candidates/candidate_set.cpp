@@ -69,9 +69,18 @@ Candidate CandidateSet::evaluate(const Rigid& start, Scratch& scratch) const {
   };
   Rigid pose = surfaces_.local_refinement()(start, prior_, scratch.refinement).pose;
   if (quick(pose) < quick(start)) pose = start;  // refinement can run off along a plane
-  const Ranking::Value value = ranking.evaluate(pose, scratch.ranking);
+  return score(pose, scratch.ranking);
+}
+
+Candidate CandidateSet::score(const Rigid& pose, Ranking::Scratch& scratch) const {
+  const Ranking::Value value = surfaces_.ranking().evaluate(pose, scratch);
   return {pose, value.fit, value.violation, value.score,
           value.fit.same_points > kSamePoints || from_one_place(surfaces_, pose)};
+}
+
+void CandidateSet::put_first(const Candidate& candidate) {
+  ranked_.insert(ranked_.begin(), candidate);
+  ranked_ = suppress_non_maxima(ranked_, kDuplicatePose, ranked_.size());
 }
 
 }  // namespace emtr

@@ -41,6 +41,12 @@ class CandidateSet {
   /// done by then.
   void add(const std::vector<Rigid>& poses, ThreadTeam& team);
 
+  /// Scores a pose as it is.
+  Candidate score(const Rigid& pose, Ranking::Scratch& scratch) const;
+
+  /// Puts a candidate before all others, whatever its score, and drops those of the same pose.
+  void put_first(const Candidate& candidate);
+
   const std::vector<Candidate>& ranked() const { return ranked_; }
 
  private:

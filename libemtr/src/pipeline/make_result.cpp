@@ -20,6 +20,7 @@ void fill_unknown(emtr_result& r) {
   r.leaf_fine = kUnknown;
   r.confidence = r.score = r.surface_fit = r.violation = r.score_gap = kUnknown;
   r.surface_near = r.evidence = r.scale_factor = kUnknown;
+  r.color_correlation = r.color_evidence = kUnknown;
   r.symmetry = "unknown";
   std::fill_n(r.symmetry_axis, 3, kUnknown);
   r.symmetry_period = kUnknown;
@@ -156,6 +157,13 @@ void fill_symmetry(const Symmetry& symmetry, double scale, emtr_result& r) {
   r.symmetry_period = symmetry.period * scale;
 }
 
+void fill_colors(const Solution& found, emtr_result& r) {
+  r.used_colors = found.used_colors;
+  if (!found.color_evidence) return;
+  r.color_correlation = found.color_evidence->correlation;
+  r.color_evidence = found.color_evidence->evidence;
+}
+
 void fill_overlap(const Overlap& overlap, double leaf, double scale, emtr_result& r) {
   r.leaf_fine = leaf;
   r.overlap_source = overlap.overlap_source;
@@ -205,6 +213,7 @@ std::unique_ptr<Result> make_result(const Problem& problem, const Solution& foun
   if (found.symmetry) fill_symmetry(*found.symmetry, normalization.scale, *result);
   if (found.match_verdict) fill_matches(problem, found, *result);
   if (found.refined.succeeded) fill_refinement(found.refined, normalization.scale, *result);
+  fill_colors(found, *result);
   if (found.overlap) fill_overlap(*found.overlap, found.fine->leaf(), normalization.scale, *result);
   fill_seconds(found.seconds, *result);
   return result;

@@ -37,6 +37,24 @@ Sizes sizes_of(Run& run) {
   }
 }
 
+/// Throws Error where the settings insist on colors that the clouds do not have.
+void require_colors(const Run& run) {
+  if (!(run.settings.use_colors == When::Always)) return;
+  if (!run.source.preprocessed || !run.target.preprocessed) return;  // stopped before it was read
+  const ColorKind source = run.source.preprocessed->color_kind,
+                  target = run.target.preprocessed->color_kind;
+  const auto require = [](bool holds, const char* message) {
+    if (!holds) throw Error(EMTR_ERROR_ARGUMENT, message);
+  };
+  require(source != ColorKind::None,
+          "source cloud: has neither colors nor intensities, expected some for use_colors on");
+  require(target != ColorKind::None,
+          "target cloud: has neither colors nor intensities, expected some for use_colors on");
+  require(source == target,
+          "clouds: one has colors and the other intensities, expected the same of both for "
+          "use_colors on");
+}
+
 std::unique_ptr<Result> register_whole(Run& run) {
   const auto problem =
       make_problem(run.source, run.target, run.settings, run.token, Stages::Needed, run.seconds);
@@ -93,6 +111,7 @@ std::unique_ptr<Result> register_clouds(InputCloud& source, InputCloud& target,
   Run run{source, target, settings, token, {}};
   Stopwatch stopwatch;
   const Sizes sizes = sizes_of(run);
+  require_colors(run);
   const bool fixed = settings.scale == ScaleSearched::Fixed;
   if (!fixed && !(source.preprocessed && target.preprocessed)) {  // stopped before it began
     const Settings rigid = settings_at_scale(settings, 1);

@@ -142,6 +142,17 @@ const std::vector<emtr_result_field_info>& result_table() {
     MATRIX(information_similarity, 7, "refinement", "",
            "inverse covariance of a similarity: a small rotation, a translation, and the "
            "logarithm of the scale, about center_target; NaN unless searched"),
+    FIELD(used_colors, Switch, "colors", "",
+          "1: colors decided about the pose, or took part in its refinement"),
+    FIELD(
+        color_correlation, Real, "colors", "",
+        "correlation of the colors of both clouds where they overlap, -1 to 1; NaN where they were "
+        "not looked at, or tell nothing"),
+    FIELD(
+        color_evidence, Real, "colors", "",
+        "logarithm of the likelihood of these colors under the pose by that of unrelated ones; NaN "
+        "as above"),
+
     MATRIX(information, 6, "refinement", "",
            "inverse covariance of a small rotation (radians) and then a translation (user's "
            "unit) about center_target; NaN when not refined"),

@@ -30,15 +30,8 @@ Starts starts(const Problem& problem, const std::vector<Rigid>& shortlist) {
   return {guess(problem), {shortlist.begin(), shortlist.begin() + count}};
 }
 
-void believe(const Problem& problem, const std::vector<Candidate>& ranked, Solution& found) {
-  found.confidence = estimate_confidence(ranked, problem.downsampled.source_dense.size(),
-                                         problem.downsampled.target_dense.size());
-  if (problem.pair.extruded)
-    found.confidence->probability =
-        lower_outline_confidence(found.confidence->probability, ranked.front().score);
-}
-
 void take_best_candidate(const Problem& problem, Solution& found) {
+  found.used_colors = false;
   const std::vector<Candidate>& ranked = found.candidates->ranked();
   found.pose = ranked.front().pose;
   believe(problem, ranked, found);
@@ -57,7 +50,16 @@ bool is_apart(const SurfacePair& surfaces, const Candidate& a, const Candidate& 
   return false;
 }
 
-/// Makes the fine surfaces when first asked for.
+}  // namespace
+
+void believe(const Problem& problem, const std::vector<Candidate>& ranked, Solution& found) {
+  found.confidence = estimate_confidence(ranked, problem.downsampled.source_dense.size(),
+                                         problem.downsampled.target_dense.size());
+  if (problem.pair.extruded)
+    found.confidence->probability =
+        lower_outline_confidence(found.confidence->probability, ranked.front().score);
+}
+
 const FineSurfaces& fine(const Problem& problem, Solution& found) {
   if (!found.fine)
     found.fine = std::make_unique<FineSurfaces>(
@@ -65,8 +67,6 @@ const FineSurfaces& fine(const Problem& problem, Solution& found) {
                       problem.kernels));
   return *found.fine;
 }
-
-}  // namespace
 
 Rigid admissible_pose(const Problem& problem, const Rigid& pose) {
   return problem.prior ? problem.prior->project(pose) : pose;
@@ -206,7 +206,8 @@ void measure_overlap(const Problem& problem, Solution& found) {
 }
 
 void weigh_changed_source(const Problem& problem, Solution& found) {
-  if (!found.confidence ||
+  // Where the colors have decided, they tell a mirror image and a scale apart too.
+  if (!found.confidence || found.used_colors ||
       found.confidence->probability < lower_for_rival(problem.settings.minimum_confidence))
     return;  // in doubt for more than a rival
   const Candidate& best = found.candidates->ranked().front();

@@ -44,6 +44,11 @@ void refine_pose(const Problem& problem, Solution& found);
 /// right but for a motion along these.
 void believe_but_for_unconstrained(const Problem& problem, Solution& found);
 
+/// Where the settings ask for it, looks for the pose at which the colors agree too: among the
+/// candidates, and along the directions that the surfaces leave unconstrained. If the colors prove
+/// one, it is the answer, refined by shape and colors, and judged by both.
+void resolve_by_colors(const Problem& problem, Solution& found);
+
 /// Finds the self-symmetry of the clouds, by the candidates and the refined surfaces.
 void recognize_symmetry(Solution& found);
 
@@ -54,6 +59,12 @@ void measure_overlap(const Problem& problem, Solution& found);
 /// Lowers the confidence of a pose that would be called registered where the source fits better
 /// mirrored or at another scale.
 void weigh_changed_source(const Problem& problem, Solution& found);
+
+/// Estimates the confidence in the first of these candidates.
+void believe(const Problem& problem, const std::vector<Candidate>& ranked, Solution& found);
+
+/// Returns the fine surfaces, made when first asked for.
+const FineSurfaces& fine(const Problem& problem, Solution& found);
 
 /// Takes the best pose that is known when a stage was stopped, if any is.
 void take_best_so_far(const Problem& problem, Solution& found);

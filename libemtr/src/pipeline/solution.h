@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "candidates/candidate_search.h"
+#include "colors/color_comparison.h"
 #include "evolution/engine.h"
 #include "pipeline/stage_seconds.h"
 #include "refinement/fine_surfaces.h"
@@ -28,7 +29,11 @@ struct Solution {
   std::unique_ptr<FineSurfaces> fine;    ///< null until a stage needs them
   Refined refined;
   bool moves_freely = false;  ///< the pose may move along its unconstrained directions, however far
-  std::optional<Symmetry> symmetry;  ///< empty until all candidates are ranked
+  bool compared_colors = false;  ///< whether there are colors that tell something is known
+  std::unique_ptr<ColorComparison> colors;      ///< null where none tell anything
+  std::optional<ColorEvidence> color_evidence;  ///< of the pose; empty if they were not looked at
+  bool used_colors = false;                     ///< the pose is the one that they decided for
+  std::optional<Symmetry> symmetry;             ///< empty until all candidates are ranked
   std::optional<Overlap> overlap;
   std::optional<Verdict> verdict;             ///< empty when no pose is known
   std::optional<MatchVerdict> match_verdict;  ///< where the matches decide

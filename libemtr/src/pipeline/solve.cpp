@@ -13,6 +13,7 @@ void refine_and_judge(const Problem& problem, Progress& progress, Solution& foun
     progress.enter(Stage::Refinement);
     refine_pose(problem, found);
     believe_but_for_unconstrained(problem, found);
+    resolve_by_colors(problem, found);
   }
 
   progress.enter(Stage::Verdict);

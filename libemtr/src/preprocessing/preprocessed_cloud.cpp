@@ -51,10 +51,13 @@ PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string&
   if (cloud.normals)
     directions.emplace(emtr_cloud{cloud.normals, cloud.count, cloud.normal_stride, cloud.scalar},
                        title_ + "'s normals");
-  const NormalReader* const normal_reader = directions ? &*directions : nullptr;
-  BasePoints made = read_base_points(reader, normal_reader, extent, threads);
+  const std::optional<ColorReader> looks = ColorReader::of(cloud, title_);
+  const PointData data{directions ? &*directions : nullptr, looks ? &*looks : nullptr};
+  BasePoints made = read_base_points(reader, data, extent, threads);
   base = std::move(made.points);
   normals = std::move(made.normals);
+  colors = std::move(made.colors);
+  if (looks) color_kind = looks->kind();
   if (directions && !any_valid(normals))
     throw Error(
         EMTR_ERROR_ARGUMENT,
@@ -63,7 +66,7 @@ PreprocessedCloud::PreprocessedCloud(const emtr_cloud& cloud, const std::string&
   keypoints = read_keypoints(cloud, reader, extent, title_);
   whole_ = extent.count <= kDownsampledAbove;
   if (!whole_ && cloud.keep_points)
-    all_points_ = read_all_points(reader, nullptr, extent, threads).points;
+    all_points_ = read_all_points(reader, {}, extent, threads).points;
   if (!whole_ && !cloud.keep_points) return;
   if (dropped || strays) finite_ = rows_of(reader, [](const double*) { return true; });
   if (strays)
@@ -88,6 +91,7 @@ void PreprocessedCloud::leave_out_scattered() {
   finite_ = std::move(rows);
   base = base.select(kept);
   if (normals.size()) normals = normals.select(kept);
+  if (colors.size()) colors = colors.select(kept);
 }
 
 bool PreprocessedCloud::find(std::size_t row, float p[3]) const {

@@ -32,7 +32,9 @@ class PreprocessedCloud {
   /// (p - center) / radius: all finite points but strays or, for a large cloud, their centroids in
   /// voxels far smaller than those of any downsampled cloud.
   Cloud base;
-  Cloud normals;        ///< of the base points, see BasePoints; empty when the user provided none
+  Cloud normals;  ///< of the base points, see BasePoints; empty when the user provided none
+  Cloud colors;   ///< of the base points, see ColorReader; empty when the user provided none
+  ColorKind color_kind = ColorKind::None;
   Keypoints keypoints;  ///< points with the user's descriptors
 
   /// Returns all finite points but strays where they are kept, in the frame of the base points;

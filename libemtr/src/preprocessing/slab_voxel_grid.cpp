@@ -76,13 +76,14 @@ std::vector<std::size_t> cut_slabs(const std::vector<Block>& blocks, std::size_t
   return cuts;
 }
 
-BasePoints gather(const CloudReader& reader, const NormalReader* normals, const Extent& extent,
+BasePoints gather(const CloudReader& reader, const PointData& data, const Extent& extent,
                   const std::vector<Block>& blocks, std::size_t first, std::size_t last) {
   std::size_t count = 0;
   for (const Block& block : blocks) count += block.begin[last] - block.begin[first];
   BasePoints out;
   out.points.resize(count);
-  if (normals) out.normals.resize(count);
+  if (data.normals) out.normals.resize(count);
+  if (data.colors) out.colors.resize(count);
   std::size_t row = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b)
     for (std::uint32_t i = blocks[b].begin[first]; i < blocks[b].begin[last]; ++i, ++row) {
@@ -92,16 +93,20 @@ BasePoints gather(const CloudReader& reader, const NormalReader* normals, const 
       reader.read(at, p);
       extent.to_unit_ball(p, q);
       out.points.set(row, q);
-      if (!normals) continue;
-      normals->read_direction(at, q);
-      out.normals.set(row, q);
+      if (data.normals) {
+        data.normals->read_direction(at, q);
+        out.normals.set(row, q);
+      }
+      if (!data.colors) continue;
+      data.colors->read(at, q);
+      out.colors.set(row, q);
     }
   return out;
 }
 
 }  // namespace
 
-BasePoints voxel_grid_by_slabs(const CloudReader& reader, const NormalReader* normals,
+BasePoints voxel_grid_by_slabs(const CloudReader& reader, const PointData& data,
                                const Extent& extent, float leaf, int threads) {
   const Layers layers(leaf);
   std::vector<Block> blocks(reader.blocks());
@@ -111,16 +116,18 @@ BasePoints voxel_grid_by_slabs(const CloudReader& reader, const NormalReader* no
   const std::vector<std::size_t> cuts = cut_slabs(blocks, layers.size());
   std::vector<BasePoints> slabs(cuts.size() - 1);
   parallel_for(slabs.size(), threads, [&](std::size_t i) {
-    const BasePoints slab = gather(reader, normals, extent, blocks, cuts[i], cuts[i + 1]);
+    const BasePoints slab = gather(reader, data, extent, blocks, cuts[i], cuts[i + 1]);
     if (slab.points.size() == 0) return;
     slabs[i].points = voxel_grid(slab.points, leaf);
-    if (normals) slabs[i].normals = mean_normals(slab.points, slab.normals, leaf);
+    if (data.normals) slabs[i].normals = mean_normals(slab.points, slab.normals, leaf);
+    if (data.colors) slabs[i].colors = mean_colors(slab.points, slab.colors, leaf);
   });
 
   BasePoints out;
   for (const BasePoints& slab : slabs) {
     out.points.append(slab.points);
     out.normals.append(slab.normals);
+    out.colors.append(slab.colors);
   }
   return out;
 }

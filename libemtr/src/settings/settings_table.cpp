@@ -164,6 +164,11 @@ const std::vector<Setting>& setting_table() {
               "largest factor of the source's lengths", ""),
       SETTING(task_gamma, Switch, "", 0, 1, 1, "unknown scale",
               "look first at the scales for which pairs of matches vote", ""),
+      SETTING(
+          use_colors, Choice, "", EMTR_OFF, EMTR_ALWAYS, EMTR_AUTO, "colors",
+          "use the colors or intensities of both clouds, auto: where their shape leaves the pose "
+          "open; they count only as far as they tell something",
+          "off,auto,on"),
       SETTING(maximum_fitness, Real, "", 0, 1, 0.7, "verdict",
               "without candidates: registered only when the mean of rho over both dense clouds is "
               "at most this",
@@ -223,7 +228,8 @@ const std::vector<Preset>& preset_table() {
         {"free_space", 0},
         {"fallback_search", EMTR_OFF},
         {"refine", 0},
-        {"refine_leaf", 0.015}}},
+        {"refine_leaf", 0.015},
+        {"use_colors", EMTR_OFF}}},
   };
   return all;
 }

@@ -41,6 +41,10 @@ void validate_method(const Settings& s) {
   require(s.complement_scale_end <= s.complement_scale_start,
           "settings 'complement_scale_end' and 'complement_scale_start' contradict each other: "
           "the scale must not grow");
+  require(
+      s.use_colors != EMTR_ALWAYS || (s.candidates > 0 && s.refine),
+      "setting 'use_colors' is on, expected 'candidates' above 0 and 'refine' on as well: colors "
+      "choose among candidates, and refine");
 }
 
 void validate_known_poses(const Settings& s) {

@@ -23,6 +23,33 @@ double squared_distance_to_center(const Cloud& cloud, std::size_t i, float leaf)
   return x * x + y * y + z * z;
 }
 
+/// Calls visit(sum, count) for each voxel that holds points, with the sum of their values and how
+/// many have one, not NaN.
+template <class Visit>
+void for_each_voxel(const Cloud& cloud, const Cloud& values, float leaf, const Visit& visit) {
+  const std::vector<VoxelRow> items = rows_by_voxel(cloud, leaf);
+  std::size_t voxels = 0;
+  for (std::size_t i = 0; i < items.size();) {
+    check_cancelled_each(voxels++, 10);
+    double sum[3] = {}, count = 0;
+    const std::uint64_t voxel = items[i].voxel;
+    for (; i < items.size() && items[i].voxel == voxel; ++i) {
+      const std::size_t row = items[i].row;
+      const double v[3] = {values.x[row], values.y[row], values.z[row]};
+      if (v[0] != v[0]) continue;
+      for (int a = 0; a < 3; ++a) sum[a] += v[a];
+      ++count;
+    }
+    visit(sum, count);
+  }
+}
+
+/// Appends sum / divisor, NaN where both are 0.
+void append_quotient(const double sum[3], double divisor, Cloud& out) {
+  out.append(static_cast<float>(sum[0] / divisor), static_cast<float>(sum[1] / divisor),
+             static_cast<float>(sum[2] / divisor));
+}
+
 }  // namespace
 
 /// Sorts by radix, the least significant digit first.
@@ -83,26 +110,21 @@ std::vector<std::uint32_t> one_row_per_voxel(const Cloud& cloud, float leaf) {
 }
 
 Cloud mean_normals(const Cloud& cloud, const Cloud& normals, float leaf) {
-  const std::vector<VoxelRow> items = rows_by_voxel(cloud, leaf);
   Cloud out;
-  for (std::size_t i = 0; i < items.size();) {
-    check_cancelled_each(out.x.size(), 10);
-    double sum[3] = {}, count = 0;
-    const std::uint64_t voxel = items[i].voxel;
-    for (; i < items.size() && items[i].voxel == voxel; ++i) {
-      const std::size_t row = items[i].row;
-      const double n[3] = {normals.x[row], normals.y[row], normals.z[row]};
-      if (n[0] != n[0]) continue;
-      for (int a = 0; a < 3; ++a) sum[a] += n[a];
-      ++count;
-    }
+  for_each_voxel(cloud, normals, leaf, [&](const double sum[3], double count) {
     const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
     if (length > kMinimumLength * count)
-      out.append(static_cast<float>(sum[0] / length), static_cast<float>(sum[1] / length),
-                 static_cast<float>(sum[2] / length));
+      append_quotient(sum, length, out);
     else
       out.append(kNone, kNone, kNone);
-  }
+  });
+  return out;
+}
+
+Cloud mean_colors(const Cloud& cloud, const Cloud& colors, float leaf) {
+  Cloud out;
+  for_each_voxel(cloud, colors, leaf,
+                 [&](const double sum[3], double count) { append_quotient(sum, count, out); });
   return out;
 }
 

@@ -31,4 +31,8 @@ std::vector<std::uint32_t> one_row_per_voxel(const Cloud& cloud, float leaf);
 /// no point of the voxel has a normal or the normals cancel out.
 Cloud mean_normals(const Cloud& cloud, const Cloud& normals, float leaf);
 
+/// Returns the mean color of the points in each such voxel that have one, in the same order; NaN
+/// where none has.
+Cloud mean_colors(const Cloud& cloud, const Cloud& colors, float leaf);
+
 }  // namespace emtr

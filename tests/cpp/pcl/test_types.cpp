@@ -16,18 +16,23 @@ struct Case {
 template <typename PointT>
 constexpr bool hasNormal() {
   return std::is_same<PointT, pcl::PointNormal>::value ||
-         std::is_same<PointT, pcl::PointXYZINormal>::value;
+         std::is_same<PointT, pcl::PointXYZINormal>::value ||
+         std::is_same<PointT, pcl::PointXYZRGBNormal>::value;
 }
 
 /// Writes to each field that the registration does not change.
 void mark(pcl::PointXYZ&, float) {}
 void mark(pcl::PointXYZI& p, float value) { p.intensity = value; }
 void mark(pcl::PointXYZRGB& p, float value) { p.r = static_cast<std::uint8_t>(value); }
+void mark(pcl::PointXYZRGBA& p, float value) { p.r = static_cast<std::uint8_t>(value); }
+void mark(pcl::PointXYZRGBNormal& p, float value) { p.r = static_cast<std::uint8_t>(value); }
 void mark(pcl::PointNormal& p, float value) { p.curvature = value; }
 void mark(pcl::PointXYZINormal& p, float value) { p.curvature = p.intensity = value; }
 float marked(const pcl::PointXYZ&, float value) { return value; }
 float marked(const pcl::PointXYZI& p, float) { return p.intensity; }
 float marked(const pcl::PointXYZRGB& p, float) { return p.r; }
+float marked(const pcl::PointXYZRGBA& p, float) { return p.r; }
+float marked(const pcl::PointXYZRGBNormal& p, float) { return p.r; }
 float marked(const pcl::PointNormal& p, float) { return p.curvature; }
 float marked(const pcl::PointXYZINormal& p, float) { return (p.curvature + p.intensity) / 2; }
 
@@ -51,11 +56,14 @@ Eigen::Vector3f normalOf(const PointT&, const Eigen::Vector3f& expected, std::fa
 template <typename C>
 class Types : public testing::Test {};
 
-using Cases = testing::Types<Case<pcl::PointXYZ, float>, Case<pcl::PointXYZ, double>,
-                             Case<pcl::PointXYZI, float>, Case<pcl::PointXYZI, double>,
-                             Case<pcl::PointXYZRGB, float>, Case<pcl::PointXYZRGB, double>,
-                             Case<pcl::PointNormal, float>, Case<pcl::PointNormal, double>,
-                             Case<pcl::PointXYZINormal, float>, Case<pcl::PointXYZINormal, double>>;
+using Cases =
+    testing::Types<Case<pcl::PointXYZ, float>, Case<pcl::PointXYZ, double>,
+                   Case<pcl::PointXYZI, float>, Case<pcl::PointXYZI, double>,
+                   Case<pcl::PointXYZRGB, float>, Case<pcl::PointXYZRGB, double>,
+                   Case<pcl::PointXYZRGBA, float>, Case<pcl::PointXYZRGBA, double>,
+                   Case<pcl::PointXYZRGBNormal, float>, Case<pcl::PointXYZRGBNormal, double>,
+                   Case<pcl::PointNormal, float>, Case<pcl::PointNormal, double>,
+                   Case<pcl::PointXYZINormal, float>, Case<pcl::PointXYZINormal, double>>;
 TYPED_TEST_SUITE(Types, Cases);
 
 TYPED_TEST(Types, GiveTheSamePoseAndAMovedCopy) {

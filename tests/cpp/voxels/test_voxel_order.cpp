@@ -106,6 +106,18 @@ TEST(VoxelOrder, OneRowOfEachDoesNotDependOnTheOrder) {
   EXPECT_EQ(found, emtr::one_row_per_voxel(cloud, 0.2f));
 }
 
+TEST(VoxelOrder, MeanColorsAreThoseOfTheVoxelsPoints) {
+  Cloud cloud, colors;
+  for (const float x : {0.01f, 0.02f, 0.03f, 0.51f, 0.52f}) emtr_test::push(cloud, x, 0.01f, 0.01f);
+  for (const float c : {0.1f, 0.3f, emtr::kNone, emtr::kNone, emtr::kNone})
+    emtr_test::push(colors, c, 2 * c, 0);
+  const Cloud mean = emtr::mean_colors(cloud, colors, 0.5f);
+  ASSERT_EQ(mean.size(), 2u);
+  EXPECT_FLOAT_EQ(mean.x[0], 0.2f);
+  EXPECT_FLOAT_EQ(mean.y[0], 0.4f);
+  EXPECT_TRUE(std::isnan(mean.x[1]));
+}
+
 TEST(VoxelOrder, IsEmptyWithoutPoints) {
   EXPECT_TRUE(emtr::one_row_per_voxel(Cloud(), 0.1f).empty());
   EXPECT_EQ(emtr::mean_normals(Cloud(), Cloud(), 0.1f).size(), 0u);

@@ -4,6 +4,7 @@
 
 #include "failure.h"
 #include "read/cloud_file.h"
+#include "read/color_fields.h"
 #include "read/coordinates.h"
 
 namespace cli {
@@ -26,6 +27,8 @@ std::shared_ptr<const ReadCloud> read_cloud(const std::string& path, std::size_t
   std::vector<double> copy, normals;
   emtr_cloud points = coordinates(file, copy);
   options.fields.attach(file, points, normals);
+  ColorFields colors;
+  attach_colors(file, points, colors);
   auto cloud = std::make_shared<ReadCloud>();
   emtr_preprocessed* raw = nullptr;
   if (emtr_preprocess(&points, nullptr, 1, &raw) != EMTR_OK) {
@@ -37,6 +40,7 @@ std::shared_ptr<const ReadCloud> read_cloud(const std::string& path, std::size_t
   emtr_preprocessed_info info;
   emtr_preprocessed_describe(raw, &info, sizeof info);
   cloud->bytes = bytes_of(info);
+  if (points.colors || points.intensities) cloud->bytes += 12 * info.base_points;
   cloud->sensor_origin = file.sensor_origin;
   cloud->sensor_known = file.sensor_known;
   cloud->note = file.note;

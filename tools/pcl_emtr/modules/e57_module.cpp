@@ -62,10 +62,15 @@ class Scan {
     const char* invalid = spherical_ ? "sphericalInvalidState" : "cartesianInvalidState";
     if (prototype_.isDefined(invalid)) add(file, invalid, invalid_);
     if (prototype_.isDefined("intensity")) add(file, "intensity", intensity_);
+    const char* colors[] = {"colorRed", "colorGreen", "colorBlue"};
+    for (int k = 0; k < 3 && has_color(); ++k) add(file, colors[k], colors_[k]);
   }
 
   int64_t size() const { return points_.childCount(); }
-  bool has_color() const { return prototype_.isDefined("colorRed"); }
+  bool has_color() const {
+    return prototype_.isDefined("colorRed") && prototype_.isDefined("colorGreen") &&
+           prototype_.isDefined("colorBlue");
+  }
 
   /// Reads all points; returns false when the sink has no room.
   bool read(emtr_module_sink* sink) {
@@ -84,8 +89,14 @@ class Scan {
   }
 
   bool put(std::size_t i, emtr_module_sink* sink) {
-    double p[4] = {values_[0][i], values_[1][i], values_[2][i],
-                   intensity_.empty() ? NAN : intensity_[i]};
+    double p[7] = {values_[0][i],
+                   values_[1][i],
+                   values_[2][i],
+                   intensity_.empty() ? NAN : intensity_[i],
+                   NAN,
+                   NAN,
+                   NAN};
+    for (int k = 0; k < 3 && has_color(); ++k) p[4 + k] = colors_[k][i];
     if (spherical_) {
       const double range = p[0], azimuth = p[1], elevation = p[2];
       p[0] = range * std::cos(elevation) * std::cos(azimuth);
@@ -102,7 +113,7 @@ class Scan {
   e57::CompressedVectorNode points_;
   e57::StructureNode prototype_;
   bool spherical_ = false;
-  std::vector<double> values_[3], invalid_, intensity_;
+  std::vector<double> values_[3], colors_[3], invalid_, intensity_;
   std::vector<e57::SourceDestBuffer> buffers_;
 };
 
@@ -112,15 +123,15 @@ std::string read(const char* place, emtr_module_sink* sink) {
   const e57::StructureNode root = file.root();
   if (!root.isDefined("data3D")) return "holds no scans";
   const e57::VectorNode scans(root.get("data3D"));
-  const char* const names[] = {"intensity"};
+  const char* const names[] = {"intensity", "red", "green", "blue"};
   bool color = false;
-  if (sink->begin(sink, names, 1, 0)) return "";
+  for (int64_t i = 0; i < scans.childCount(); ++i)
+    color = color || Scan(file, scans.get(i)).has_color();
+  if (sink->begin(sink, names, color ? 4 : 1, 0)) return "";
   for (int64_t i = 0; i < scans.childCount(); ++i) {
     Scan scan(file, scans.get(i));
-    color = color || scan.has_color();
     if (scan.size() > 0 && !scan.read(sink)) return "";
   }
-  if (color) sink->note(sink, "the colors of its points are left out");
   if (scans.childCount() > 1)
     sink->note(sink,
                ("its " + std::to_string(scans.childCount()) + " scans are one cloud").c_str());

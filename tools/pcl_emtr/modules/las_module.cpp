@@ -50,14 +50,15 @@ std::string read(const char* place, emtr_module_sink* sink) {
     return "truncated: its header declares " + std::to_string(count) + " points, it has " +
            std::to_string(bytes) + " bytes";
 
-  const char* const names[] = {"intensity", "classification", "gps_time"};
+  const bool colored = header->point_data_format == 2 || header->point_data_format == 3 ||
+                       header->point_data_format == 5 || header->point_data_format == 7 ||
+                       header->point_data_format == 8 || header->point_data_format == 10;
+  const char* const names[] = {"intensity", "classification", "gps_time", "red", "green", "blue"};
   // A file may declare any number of points; few compressed ones take less than a byte.
-  if (sink->begin(sink, names, 3, static_cast<uint64_t>(std::min(count, bytes)))) return "";
-  if (header->point_data_format == 2 || header->point_data_format == 3 ||
-      header->point_data_format >= 7)
-    sink->note(sink, "the colors of its points are left out");
+  if (sink->begin(sink, names, colored ? 6 : 3, static_cast<uint64_t>(std::min(count, bytes))))
+    return "";
   for (laszip_I64 i = 0; i < count; ++i) {
-    double values[6] = {};
+    double values[9] = {};
     if (laszip_read_point(reader.laszip) != 0 || laszip_get_coordinates(reader.laszip, values) != 0)
       return "truncated or damaged behind " + std::to_string(i) + " of " + std::to_string(count) +
              " points: " + reader.error();
@@ -65,6 +66,7 @@ std::string read(const char* place, emtr_module_sink* sink) {
     values[4] =
         header->point_data_format >= 6 ? point->extended_classification : point->classification;
     values[5] = point->gps_time;
+    for (int k = 0; k < 3; ++k) values[6 + k] = point->rgb[k];
     if (sink->add(sink, values)) return "";
   }
   return "";

@@ -89,6 +89,10 @@ namespace pcl {
  * or cleared, for later clouds too. If their number is not the number of points, align() fails. The
  * normals of a PointNormal cloud are not used unless setSourceNormals() provides them.
  *
+ * \note Colors (r, g and b of a point type that has them, else intensity) are used as the setting
+ * use_colors says: 0 never; 1, the default, where the shape of the clouds leaves the pose open; 2
+ * everywhere, and then align() fails for clouds without colors.
+ *
  * \note getFitnessScore() is inherited: it takes all source points whatever the indices, compares
  * max_range with squared distances, and needs an input source and one point type for both clouds.
  * Points that are not finite are no neighbors and have none, unless setSearchMethodTarget() sets

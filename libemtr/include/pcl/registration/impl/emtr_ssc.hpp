@@ -133,14 +133,16 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 bool EMTRSSCRegistration<PointSource, PointTarget, Scalar>::preprocess(
     const PointCloudSource& source, std::int32_t threads,
     std::shared_ptr<const emtr_preprocessed> (&preprocessed)[2]) {
-  const bool keep = has_correspondences_;
+  const bool keep = has_correspondences_, colors = settings_.use_colors != EMTR_OFF;
   if (selectsAll() || source_user_input_.empty())
-    preprocessed[0] = source_cache_.get(source, "source", threads, source_user_input_, keep);
+    preprocessed[0] =
+        source_cache_.get(source, "source", threads, source_user_input_, keep, colors);
   else  // not cached: other points with other rows may have the same coordinates
     preprocessed[0] = detail::CachedCloud().get(source, "source", threads,
-                                                source_user_input_.select(*indices_), keep);
+                                                source_user_input_.select(*indices_), keep, colors);
   if (preprocessed[0])
-    preprocessed[1] = target_cache_.get(*target_, "target", threads, target_user_input_, keep);
+    preprocessed[1] =
+        target_cache_.get(*target_, "target", threads, target_user_input_, keep, colors);
   if (preprocessed[1]) return true;
   error_message_ = emtr_error_message();
   return false;

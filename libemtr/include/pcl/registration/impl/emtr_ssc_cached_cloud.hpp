@@ -9,6 +9,7 @@
 #include <memory>
 #include <pcl/registration/impl/emtr_ssc_points.hpp>
 #include <pcl/registration/impl/emtr_ssc_user_input.hpp>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -16,9 +17,9 @@ namespace detail {
 
 /** \brief Caches the preprocessing of an input cloud from one align() to the next.
  *
- * A cloud is preprocessed again when any coordinate changes. It may change in place, which no
- * setter sees, so the cache keeps a copy of the coordinates and compares them; that is far cheaper
- * than preprocessing. It does not compare normals and features: reset() it when they change. */
+ * A cloud is preprocessed again when any coordinate or color changes. It may change in place, which
+ * no setter sees, so the cache keeps a copy of them and compares; that is far cheaper than
+ * preprocessing. It does not compare normals and features: reset() it when they change. */
 class CachedCloud {
  public:
   /** \brief Returns the preprocessed cloud, from the cache if it is there.
@@ -27,14 +28,24 @@ class CachedCloud {
    * \param[in] threads the number of threads, as in emtr_preprocess()
    * \param[in] input the user's normals and features of the cloud's points
    * \param[in] keep_points whether correspondences can refer to the points, as in emtr_cloud
+   * \param[in] use_colors whether the colors or intensities of the points are taken too
    * \return null if the cloud cannot be registered: emtr_error_message() says why */
   template <typename PointT>
   std::shared_ptr<const emtr_preprocessed> get(const PointCloud<PointT>& cloud, const char* name,
                                                std::int32_t threads, const UserInput& input = {},
-                                               bool keep_points = false) {
-    if (preprocessed_ && (keeps_points_ || !keep_points) && holds(cloud)) return preprocessed_;
+                                               bool keep_points = false, bool use_colors = false) {
+    std::vector<float> colors, intensities;
+    if (use_colors) {
+      colors = packColors(cloud, 0);
+      intensities = packIntensities(cloud, 0);
+    }
+    if (preprocessed_ && (keeps_points_ || !keep_points) && holds(cloud) &&
+        sameBits(colors, colors_) && sameBits(intensities, intensities_))
+      return preprocessed_;
     reset();
     keeps_points_ = keep_points;
+    colors_ = std::move(colors);
+    intensities_ = std::move(intensities);
     // Plain arrays: the layout of a pcl::PointCloud depends on how the caller was compiled.
     packed_ = packPoints(cloud);
     emtr_cloud view = {packed_.data(), cloud.size(), 0, EMTR_FLOAT32};
@@ -44,6 +55,8 @@ class CachedCloud {
       view.feature_dimension = input.features.width;
     }
     view.keep_points = keep_points;
+    if (!colors_.empty()) view.colors = colors_.data();
+    if (!intensities_.empty()) view.intensities = intensities_.data();
     emtr_preprocessed* made = nullptr;
     if (emtr_preprocess(&view, name, threads, &made) == EMTR_OK)
       preprocessed_ =
@@ -56,7 +69,7 @@ class CachedCloud {
   /** \brief Empties the cache. */
   void reset() {
     preprocessed_.reset();
-    packed_ = std::vector<float>();
+    packed_ = colors_ = intensities_ = std::vector<float>();
   }
 
  private:
@@ -72,7 +85,13 @@ class CachedCloud {
     return true;
   }
 
-  std::vector<float> packed_;
+  static bool sameBits(const std::vector<float>& a, const std::vector<float>& b) {
+    if (a.size() != b.size()) return false;
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bit by bit, a NaN equals itself
+    return a.empty() || std::memcmp(a.data(), b.data(), sizeof(float) * a.size()) == 0;
+  }
+
+  std::vector<float> packed_, colors_, intensities_;
   bool keeps_points_ = false;
   std::shared_ptr<const emtr_preprocessed> preprocessed_;
 };

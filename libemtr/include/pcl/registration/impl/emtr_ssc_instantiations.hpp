@@ -13,6 +13,10 @@
   DO(pcl::PointXYZI, double)                \
   DO(pcl::PointXYZRGB, float)               \
   DO(pcl::PointXYZRGB, double)              \
+  DO(pcl::PointXYZRGBA, float)              \
+  DO(pcl::PointXYZRGBA, double)             \
+  DO(pcl::PointXYZRGBNormal, float)         \
+  DO(pcl::PointXYZRGBNormal, double)        \
   DO(pcl::PointNormal, float)               \
   DO(pcl::PointNormal, double)              \
   DO(pcl::PointXYZINormal, float)           \

@@ -24,6 +24,40 @@ std::vector<float> packPoints(const PointCloud<PointT>& cloud) {
   return packed;
 }
 
+/** \brief Packs the colors, 0 to 1, of a point type that has some. */
+template <typename PointT>
+auto packColors(const PointCloud<PointT>& cloud, int)
+    -> decltype(static_cast<void>(PointT::r), std::vector<float>()) {
+  std::vector<float> packed;
+  packed.reserve(3 * cloud.size() + 1);
+  for (const auto& point : cloud)
+    for (const auto channel : {point.r, point.g, point.b})
+      packed.push_back(static_cast<float>(channel) / 255.0f);
+  return packed;
+}
+
+/** \brief Packs nothing of a point type without colors. */
+template <typename PointT>
+std::vector<float> packColors(const PointCloud<PointT>&, long) {
+  return {};
+}
+
+/** \brief Packs the intensities of a point type that has some. */
+template <typename PointT>
+auto packIntensities(const PointCloud<PointT>& cloud, int)
+    -> decltype(static_cast<void>(PointT::intensity), std::vector<float>()) {
+  std::vector<float> packed;
+  packed.reserve(cloud.size() + 1);
+  for (const auto& point : cloud) packed.push_back(point.intensity);
+  return packed;
+}
+
+/** \brief Packs nothing of a point type without intensities. */
+template <typename PointT>
+std::vector<float> packIntensities(const PointCloud<PointT>&, long) {
+  return {};
+}
+
 /** \brief Rotates the normal of a point whose type has one. */
 template <typename PointT>
 auto rotateNormal(PointT& point, const Eigen::Matrix3d& rotation, int)

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/cloud.h"
+#include "preprocessing/color_reader.h"
+
+namespace emtr {
+
+/// The colors of two clouds made comparable: along the principal axes of all their colors, and in
+/// each cloud of mean 0 and variance 1, so that a gain and an offset of the exposure do not count.
+/// Beyond kFarthestColor they are cut off. A channel that hardly varies in one of the clouds is 0
+/// in both.
+struct Channels {
+  Cloud source, target;  ///< one entry a point, NaN where it has no color
+  bool used[3] = {};
+
+  bool any() const { return used[0] || used[1] || used[2]; }
+};
+
+constexpr int kChannels = 3;
+constexpr float kFarthestColor = 4;  ///< standard deviations
+
+/// Makes channels of what ColorReader reads of the points of both clouds. Of intensities it takes
+/// the logarithm, less what a polynomial of fourth degree in the coordinates explains of it: the
+/// fall-off with range and the angle of incidence.
+Channels make_channels(const Cloud& source_points, const Cloud& source, const Cloud& target_points,
+                       const Cloud& target, ColorKind kind);
+
+}  // namespace emtr
