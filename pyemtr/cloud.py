@@ -236,7 +236,8 @@ class _Rows(NamedTuple):
 
     def copied(self) -> _Rows:
         """Returns rows that refer to nobody's memory and cannot be changed."""
-        return _Rows(*(None if array is None else _frozen(array) for array in self))
+        beside = (None if array is None else _frozen(array) for array in self[1:])
+        return _Rows(_frozen(self.points), *beside)
 
 
 def _frozen(rows: NDArray[Any]) -> NDArray[Any]:

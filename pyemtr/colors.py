@@ -118,4 +118,4 @@ def _unpacked(packed: NDArray[Any]) -> NDArray[np.uint8]:
         bits = packed.astype(np.float32).view(np.uint32)
     else:
         bits = packed.astype(np.int64).astype(np.uint32)
-    return np.column_stack([(bits >> shift) & 255 for shift in (16, 8, 0)]).astype(np.uint8)
+    return np.column_stack([(bits >> place) & 255 for place in (16, 8, 0)]).astype(np.uint8)

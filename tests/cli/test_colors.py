@@ -30,8 +30,8 @@ def walls():
     (source, source_colors), (target, target_colors) = (
         wall(*side, seed) for seed, side in enumerate(SIDES)
     )
-    turn = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])  # source = turn @ wall + [1, 2, 3]
-    return source @ turn.T + [1, 2, 3], source_colors, target, target_colors
+    rotation = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    return source @ rotation.T + [1, 2, 3], source_colors, target, target_colors
 
 
 TRUTH = np.array([[0.0, 1, 0, -2], [-1, 0, 0, 1], [0, 0, 1, -3], [0, 0, 0, 1]])

@@ -238,7 +238,8 @@ def test_the_class_library_exports_its_own_names_only(prefix, libdir):
     if is_static(libdir):
         pytest.skip("built as an archive")
     names = exported(libdir / "libpcl_emtr.so")
-    for point in ("PointXYZ", "PointXYZI", "PointXYZRGB", "PointNormal", "PointXYZINormal"):
+    for point in ("PointXYZ", "PointXYZI", "PointXYZRGB", "PointXYZRGBA", "PointXYZRGBNormal",
+                  "PointNormal", "PointXYZINormal"):  # fmt: skip
         for scalar in ("float", "double"):
             assert any(f"<pcl::{point}, pcl::{point}, {scalar}>::align(" in n for n in names)
     assert [name for name in names if "pcl::EMTRSSCRegistration<" not in name] == []

@@ -138,9 +138,9 @@ def test_where_the_shape_is_enough_auto_changes_no_bit() -> None:
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
     bumps = 1 + 0.3 * np.sin(3 * directions @ rng.normal(size=(3, 5))).prod(axis=1, keepdims=True)
     points = bumps * directions
-    turn = np.linalg.qr(rng.normal(size=(3, 3)))[0]
-    turn *= np.sign(np.linalg.det(turn))
-    one, other = points[:4500], points[1500:] @ turn.T
+    rotation = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    rotation *= np.sign(np.linalg.det(rotation))
+    one, other = points[:4500], points[1500:] @ rotation.T
     shade = 0.5 + 0.5 * np.sin(4 * directions)
     bare = pyemtr.register(one, other, preset="fast")
     assert bare.registered

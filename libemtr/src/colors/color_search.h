@@ -15,7 +15,7 @@ class ColorLevels {
  public:
   static constexpr double kCoarseLeaf = 0.08, kMiddleLeaf = 0.03;  ///< radii
 
-  /// Of the fine surfaces and their channels. The kernels must outlive it.
+  /// Takes the fine surfaces and their channels. The kernels must outlive it.
   ColorLevels(const FineSurfaces& fine, const Channels& channels, const Kernels& kernels);
 
   const ColorCorrelation& coarse() const { return coarse_; }

@@ -170,7 +170,11 @@ void resolve_by_colors(const Problem& problem, Solution& found) {
   for (const Refinement& one : refined) candidates.push_back(one.candidate);
   const std::size_t looked_at = poses.looked_at + poses.poses.size();
   const ColorVerdict verdict = judge_by_colors(candidates, looked_at);
-  if (verdict.decided) {
+  // Along unconstrained directions the right pose is where the colors pull to as well; where they
+  // agree by chance, the refinement leads away.
+  const bool settled = !refined.empty() &&
+                       (found.refined.unconstrained == 0 || refined[verdict.best].result.succeeded);
+  if (verdict.decided && settled) {
     take(problem, refined[verdict.best], found);
     found.candidates->put_first(refined[verdict.best].candidate.candidate);
     found.moves_freely = false;

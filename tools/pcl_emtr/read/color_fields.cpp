@@ -76,8 +76,8 @@ bool read_packed(const CloudFile& cloud, std::vector<float>& colors) {
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     std::uint32_t bits;
     std::memcpy(&bits, point(cloud, i) + field->offset, sizeof bits);
-    for (const int shift : {16, 8, 0})
-      colors.push_back(static_cast<float>((bits >> shift) & 255u) / 255.0f);
+    for (const int place : {16, 8, 0})
+      colors.push_back(static_cast<float>((bits >> place) & 255u) / 255.0f);
   }
   return true;
 }

@@ -50,13 +50,13 @@ def tiles(side: float, extent: float, marks: int, rng: Generator) -> Paint:
 
 
 class _Sheet:
-    """A printed sheet, turned by a few degrees."""
+    """A printed sheet, askew by a few degrees."""
 
     def __init__(self, width: float, height: float, rng: Generator) -> None:
         self.center = rng.uniform([-width / 2, -height / 2], [width / 2, height / 2])
         self.half = rng.uniform(0.15, 0.45, 2)
         angle = rng.normal(scale=0.05)
-        self.turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+        self.rotation = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
         self.ground = rng.uniform(0, 1, 3)
         self.patches = [
             (rng.uniform(-1, 1, 2), rng.uniform(0.15, 0.6, 2), rng.uniform(0, 1, 3))
@@ -64,7 +64,7 @@ class _Sheet:
         ]
 
     def put(self, places: Array, out: Array) -> None:
-        local = ((places - self.center) @ self.turn) / self.half
+        local = ((places - self.center) @ self.rotation) / self.half
         inside = (np.abs(local) < 1).all(axis=1)
         out[inside] = self.ground
         for center, half, color in self.patches:

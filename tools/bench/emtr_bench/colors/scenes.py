@@ -40,8 +40,8 @@ def wall(seed: int, *, overlap: float = 0.6) -> Case:
     rng = np.random.default_rng([1, seed])
     paint = posters(6.0, 3.0, 12, rng)
     width = 4.0
-    shift = width * (1 - overlap)
-    scans = [_on_wall(paint, center, width, rng) for center in (-shift / 2, shift / 2)]
+    apart = width * (1 - overlap)
+    scans = [_on_wall(paint, center, width, rng) for center in (-apart / 2, apart / 2)]
     return _case(scans[0], scans[1], rng)
 
 
