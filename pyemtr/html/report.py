@@ -33,14 +33,19 @@ def report_of(result: Result, names: tuple[str, str], read: tuple[int, int]) -> 
     return report
 
 
+def versions() -> dict[str, str]:
+    """Returns the versions that a page names."""
+    return {
+        "emtr": _emtr.version(),
+        "numpy": np.__version__,
+        "python": platform.python_version(),
+    }
+
+
 def _input(result: Result, names: tuple[str, str]) -> dict[str, Any]:
     used = result.settings
     return {
-        "versions": {
-            "emtr": _emtr.version(),
-            "numpy": np.__version__,
-            "python": platform.python_version(),
-        },
+        "versions": versions(),
         "files": {"source": names[0], "target": names[1]},
         "preset": None,
         "settings": to_json({name: used[name] for name in settings() if name in used}),

@@ -9,17 +9,27 @@ from typing import Any
 
 TEMPLATE = Path(__file__).resolve().parent / "template"
 
-# What stands for the contents of which files in the templates. CMake reads the same list for the
-# command, from tools/pcl_emtr/html/template.cmake.
+# What stands for the contents of which files in the templates, in the order in which it is put in.
+# CMake has the list of the page for the command in tools/pcl_emtr/html/template.cmake.
 PAGE_PARTS: dict[str, tuple[str, ...]] = {
+    "@head@": ("head.html",),
+    "@view@": ("view.html",),
     "@style@": ("page.css",),
     "@advice@": ("advice.json",),
     "@three@": ("three.min.js",),
-    "@script@": ("charts.js", "scene.js", "page.js"),
+    "@script@": ("charts.js", "scene.js", "pair_view.js", "page.js"),
 }
 INDEX_PARTS: dict[str, tuple[str, ...]] = {
-    "@style@": ("page.css", "index.css"),
-    "@script@": ("charts.js", "index.js"),
+    "@head@": ("head.html",),
+    "@style@": ("page.css", "table.css"),
+    "@script@": ("charts.js", "table.js", "index.js"),
+}
+MODEL_PARTS: dict[str, tuple[str, ...]] = {
+    "@head@": ("head.html",),
+    "@view@": ("view.html",),
+    "@style@": ("page.css", "table.css", "model.css"),
+    "@three@": ("three.min.js",),
+    "@script@": ("charts.js", "table.js", "scene.js", "model_view.js", "model.js"),
 }
 
 
@@ -31,6 +41,11 @@ def page_with(payload: dict[str, Any]) -> str:
 def index_with(payload: dict[str, Any]) -> str:
     """Returns the index with its data inside."""
     return _filled("index.html", INDEX_PARTS, payload)
+
+
+def model_with(payload: dict[str, Any]) -> str:
+    """Returns the page of many scans with its data inside."""
+    return _filled("model.html", MODEL_PARTS, payload)
 
 
 def as_json(payload: dict[str, Any]) -> str:

@@ -90,7 +90,7 @@ def test_it_loads_nothing(page) -> None:
     markup = re.sub(r"<script.*?</script>", "", page, flags=re.DOTALL)
     assert not re.search(r"(?:\b(?:src|href|action)\s*=|url\()\s*[\"']?\w+:", markup)
     assert "<link" not in markup and "@import" not in markup
-    own = "".join((TEMPLATE / name).read_text() for name in ("page.js", "scene.js", "charts.js"))
+    own = "".join(path.read_text() for path in TEMPLATE.glob("*.js") if path.name != "three.min.js")
     assert not re.search(
         r"innerHTML|document\.write|eval\(|fetch\(|XMLHttp|import\(|https?:(?!//www\.w3\.org/2000/svg)",
         own,
@@ -235,8 +235,12 @@ def test_each_mark_is_filled_once() -> None:
     for name, parts in (
         ("page.html", template_files.PAGE_PARTS),
         ("index.html", template_files.INDEX_PARTS),
+        ("model.html", template_files.MODEL_PARTS),
     ):
         text = (TEMPLATE / name).read_text()
+        for mark, files in parts.items():
+            if files[0].endswith(".html"):  # a part of several pages, with marks of its own
+                text = text.replace(mark, (TEMPLATE / files[0]).read_text() + mark)
         assert {*re.findall(r"@\w+@", text)} == {*parts, "@payload@"}
         assert all(text.count(mark) == 1 for mark in parts)
         whole = template_files.template(name, tuple(parts.items()))
@@ -244,14 +248,26 @@ def test_each_mark_is_filled_once() -> None:
 
 
 def test_labels_belong_to_controls_and_ids_are_single() -> None:
-    for name in ("page.html", "index.html"):
-        text = (TEMPLATE / name).read_text()
+    parts = {
+        "page.html": template_files.PAGE_PARTS,
+        "index.html": template_files.INDEX_PARTS,
+        "model.html": template_files.MODEL_PARTS,
+    }
+    for name, marks in parts.items():
+        text = re.sub(
+            r"<script.*?</script>", "", template_files.template(name, tuple(marks.items())),
+            flags=re.DOTALL,
+        )  # fmt: skip
+        text += "".join(
+            re.findall(r"<script[^>]*>", template_files.template(name, tuple(marks.items())))
+        )
         ids = re.findall(r'\bid="([\w-]+)"', text)
         assert len(ids) == len(set(ids))
         assert set(re.findall(r'(?:for|aria-labelledby)="([\w-]+)"', text)) <= set(ids)
         script = "".join(
             (TEMPLATE / part).read_text()
-            for part in ("page.js" if name == "page.html" else "index.js",)
+            for part in marks["@script@"]
+            if part not in ("charts.js", "table.js")
         )
         assert set(re.findall(r'byId\("([\w-]+)"\)', script)) <= set(ids)
 

@@ -1,6 +1,9 @@
 // Small charts as SVG. All text goes in as text, never as markup.
 "use strict";
 
+const byId = (id) => document.getElementById(id);
+const read = (id) => JSON.parse(byId(id).textContent);
+
 function element(name, attributes = {}, ...children) {
   const made = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);

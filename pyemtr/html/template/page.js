@@ -1,8 +1,6 @@
 // Fills the page from its payload: the report of a registration, and the points to look at.
 "use strict";
 
-const byId = (id) => document.getElementById(id);
-const read = (id) => JSON.parse(byId(id).textContent);
 const payload = read("payload");
 const advice = read("advice");
 const { report, unit } = payload;
@@ -218,22 +216,7 @@ function connect(view) {
   byId("progress").addEventListener("input", (event) => view.move(Number(event.target.value)));
   byId("reset").addEventListener("click", () => view.look());
   byId("play").addEventListener("click", () => play(view));
-  byId("canvas").addEventListener("keydown", (event) => {
-    const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (arrow && event.shiftKey) view.pan(arrow[0], -arrow[1]);
-    else if (arrow) view.orbit(arrow[0] * 0.09, arrow[1] * 0.09);
-    else if (event.key === "+" || event.key === "=") view.zoom(0.88);
-    else if (event.key === "-") view.zoom(1 / 0.88);
-    else if (event.key === "Home") view.look();
-    else return;
-    event.preventDefault();
-  });
-  view.onDraw = (pixels) => { // a length of one unit at the center of the orbit
-    const length = roundStep(110 / pixels);
-    byId("scale-bar").style.width = `${length * pixels}px`;
-    byId("scale-text").textContent = unit ? `${rounded(length, 3)} ${unit}` : rounded(length, 3);
-  };
+  view.unit = unit;
   showLimit();
   fillLegend();
   return (index) => {
@@ -272,7 +255,7 @@ function start() {
   });
   let choose;
   try {
-    const view = new View(byId("canvas"), payload, poses);
+    const view = new PairView(byId("canvas"), payload, poses);
     choose = connect(view);
     window.emtrView = view;
   } catch (error) { // a browser without WebGL: the rest of the page is of use

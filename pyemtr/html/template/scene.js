@@ -1,6 +1,6 @@
 // The clouds in three dimensions, by three.js. Positions are 16-bit steps from an origin of each
-// cloud; matrices are made in double precision about the target's center, so that coordinates of
-// millions of meters lose nothing on the graphics card.
+// cloud; matrices are made in double precision about a base, so that coordinates of millions of
+// meters lose nothing on the graphics card.
 "use strict";
 
 const RAMP = ["#46327e", "#365c8d", "#277f8e", "#1fa187", "#4ac16d", "#a0da39", "#f0e51c"];
@@ -64,41 +64,55 @@ const SHADE_VERTEX = `
   varying vec2 at;
   void main() { at = position.xy * 0.5 + 0.5; gl_Position = vec4(position.xy, 0.0, 1.0); }`;
 
-class View {
-  constructor(canvas, payload, poses) {
+/// Clouds that can be looked at from all sides. A page says which colors they have (colorOf), which
+/// of them are to be seen (seen), and what else changes how they are painted (paint).
+class Scene {
+  constructor(canvas, up, base) {
     this.canvas = canvas;
-    this.payload = payload;
-    this.poses = poses; // matrices, source into target, as nested lists
-    const target = payload.clouds.target;
-    this.base = poses[0] ? payload.report.normalization.center_target : target.origin;
+    this.base = base; // the point that is the origin on the graphics card
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: false });
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.1, 10);
-    this.camera.up.fromArray(payload.up).normalize();
+    this.camera.up.fromArray(up).normalize();
     this.controls = new THREE.OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.draw());
     this.scene = new THREE.Scene();
     this.points = {};
-    for (const [name, cloud] of [["target", "target"], ["before", "source"], ["aligned", "source"]])
-      this.points[name] = this.add(payload.clouds[cloud]);
     this.target = new THREE.WebGLRenderTarget(1, 1, { depthTexture: new THREE.DepthTexture(1, 1) });
     this.shade = this.makeShade();
-    this.place(this.points.target, new THREE.Matrix4(), target);
-    this.place(this.points.before, new THREE.Matrix4(), payload.clouds.source);
-    this.points.before.visible = false;
     this.size = 1;
-    this.progress = 1;
-    this.errors = false;
-    this.limit = 1;
-    this.choose(0);
+    this.unit = ""; // of the clouds, for the scale bar
+  }
+
+  /// Begins to draw, once the clouds are there.
+  begin() {
     this.theme();
     this.look();
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
-    const scheme = matchMedia("(prefers-color-scheme: dark)");
-    scheme.addEventListener("change", () => this.theme());
+    new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.theme());
+    this.canvas.addEventListener("keydown", (event) => this.pressed(event));
     this.resize();
   }
 
-  add(cloud) {
+  seen() {
+    return Object.keys(this.points);
+  }
+
+  paint() {}
+
+  /// Arrow keys orbit, shift and arrow keys pan, + and - zoom, Home shows all.
+  pressed(event) {
+    const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (arrow && event.shiftKey) this.pan(arrow[0], -arrow[1]);
+    else if (arrow) this.orbit(arrow[0] * 0.09, arrow[1] * 0.09);
+    else if (event.key === "+" || event.key === "=") this.zoom(0.88);
+    else if (event.key === "-") this.zoom(1 / 0.88);
+    else if (event.key === "Home") this.look();
+    else return;
+    event.preventDefault();
+  }
+
+  add(name, cloud) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(unpacked(cloud.points), 3));
     geometry.setAttribute("error", new THREE.BufferAttribute(new Uint16Array(cloud.shown), 1, true));
@@ -114,6 +128,7 @@ class View {
     points.frustumCulled = false;
     points.matrixAutoUpdate = false;
     this.scene.add(points);
+    this.points[name] = points;
     return points;
   }
 
@@ -147,51 +162,10 @@ class View {
     points.matrixWorldNeedsUpdate = true;
   }
 
-  /// The source's pose on its way: its center moves straight while it rotates.
-  between(matrix, share) {
-    const whole = new THREE.Matrix4().set(...matrix.flat());
-    const rotation = new THREE.Quaternion().setFromRotationMatrix(whole);
-    const part = new THREE.Quaternion().slerp(rotation, share);
-    const center = new THREE.Vector3(...this.payload.report.normalization.center_source);
-    const moved = center.clone().lerp(center.clone().applyMatrix4(whole), share);
-    const back = new THREE.Matrix4().makeTranslation(-center.x, -center.y, -center.z);
-    return new THREE.Matrix4().makeTranslation(moved.x, moved.y, moved.z)
-      .multiply(new THREE.Matrix4().makeRotationFromQuaternion(part)).multiply(back);
-  }
-
-  choose(index) {
-    this.pose = index;
-    const entry = this.payload.residuals[index];
-    const aligned = this.points.aligned;
-    if (entry) {
-      aligned.geometry.setAttribute("error", new THREE.BufferAttribute(unpacked(entry.values), 1, true));
-      aligned.material.uniforms.maximum.value = entry.maximum;
-    }
-    this.move(this.progress);
-  }
-
-  /// 0: the source as it was given, 1: aligned. The camera follows what it sees.
-  move(share) {
-    const before = this.sphere;
-    this.progress = share;
-    const matrix = this.poses[this.pose];
-    this.place(this.points.aligned, matrix ? this.between(matrix, share) : new THREE.Matrix4(),
-      this.payload.clouds.source);
-    this.sphere = this.bounds();
-    if (before) {
-      const { target } = this.controls;
-      const arm = this.camera.position.clone().sub(target);
-      target.add(this.sphere.center.clone().sub(before.center));
-      this.camera.position.copy(target).addScaledVector(arm, this.sphere.radius / before.radius);
-      this.controls.update();
-    }
-    this.draw();
-  }
-
   /// Some thousand points of what is to be seen, where they are now.
   sample() {
     const found = [];
-    for (const name of ["target", "aligned", ...(this.points.before.visible ? ["before"] : [])]) {
+    for (const name of this.seen()) {
       const { geometry, matrix } = this.points[name];
       const position = geometry.getAttribute("position");
       for (let i = 0; i < position.count; i += 1 + Math.floor(position.count / 3000))
@@ -272,17 +246,18 @@ class View {
   }
 
   theme() {
-    const style = getComputedStyle(document.documentElement);
-    const color = (name) => rgb(style.getPropertyValue(name).trim());
     const dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    this.colors = { target: color("--target"), ground: color("--view") };
-    this.shade.uniforms.ground.value = this.colors.ground;
+    this.shade.uniforms.ground.value = this.ground = this.variable("--view");
     for (const [name, points] of Object.entries(this.points)) {
-      const { uniforms } = points.material;
-      uniforms.color.value = color({ target: "--target", before: "--before", aligned: "--source" }[name]);
-      uniforms.beyond.value = rgb(dark ? BEYOND.dark : BEYOND.light);
+      points.material.uniforms.color.value = this.colorOf(name);
+      points.material.uniforms.beyond.value = rgb(dark ? BEYOND.dark : BEYOND.light);
     }
     this.draw();
+  }
+
+  /// A color of the style sheet.
+  variable(name) {
+    return rgb(getComputedStyle(document.documentElement).getPropertyValue(name).trim());
   }
 
   resize() {
@@ -324,10 +299,7 @@ class View {
       const gap = 2 * sphere.radius / Math.sqrt(Math.max(count, 1));
       points.material.uniforms.pointSize.value = this.size * gap * lens;
       points.material.uniforms.minimumSize.value = 1.2 * this.size * renderer.getPixelRatio();
-      const { target, ground } = this.colors; // the target steps back where the errors are shown
-      if (name === "target")
-        points.material.uniforms.color.value = target.map((v, i) => (this.errors ? 0.3 * v + 0.7 * ground[i] : v));
-      points.material.uniforms.limit.value = name === "aligned" && this.errors ? this.limit : 0;
+      this.paint(name, points.material.uniforms);
     }
     const { uniforms } = this.shade;
     uniforms.near.value = camera.near;
@@ -340,7 +312,14 @@ class View {
     renderer.render(this.scene, camera);
     renderer.setRenderTarget(null);
     renderer.render(this.shade.scene, camera);
-    this.onDraw?.(this.canvas.clientHeight / (2 * Math.tan((camera.fov / 2) * Math.PI / 180)) /
+    this.showScale(this.canvas.clientHeight / (2 * Math.tan((camera.fov / 2) * Math.PI / 180)) /
       camera.position.distanceTo(this.controls.target));
+  }
+
+  /// The scale bar: a round length at the center of the orbit, where a unit is so many pixels long.
+  showScale(pixels) {
+    const length = roundStep(110 / pixels);
+    byId("scale-bar").style.width = `${length * pixels}px`;
+    byId("scale-text").textContent = this.unit ? `${rounded(length, 3)} ${this.unit}` : rounded(length, 3);
   }
 }
