@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import struct
 from pathlib import Path
@@ -165,3 +166,18 @@ def test_bad_e57(refused, small, tmp_path, content):
     (tmp_path / "a.e57").write_bytes(content)
     message = refused(2, "a.e57", "b.pcd", "-o", "T.txt")
     assert "'a.e57': cannot be read: " in message
+
+
+@needs_las
+def test_workers_read_files_at_a_time(run, tmp_path):
+    """Each of several threads gets its own file whole."""
+    for i in range(8):
+        write_las(tmp_path / f"s{i}.las")
+    cloud_files.write_pcd(tmp_path / "t.pcd", surface(240, 3))
+    rows = "".join(f"s{i}.las,t.pcd\n" for i in range(8))
+    (tmp_path / "pairs.csv").write_text("source,target\n" + rows)
+    done = run("--batch", "pairs.csv", "--out", "out", "--workers", 8, *QUICK)
+    assert done.returncode in (0, 3), done.stderr
+    records = [json.loads(line) for line in (tmp_path / "out" / "results.jsonl").open()]
+    assert len({str(record["transformation"]) for record in records}) == 1
+    assert len(records) == 8 and not any(record["error"] for record in records)

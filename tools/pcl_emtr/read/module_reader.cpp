@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <mutex>
 #include <new>
 #include <vector>
 
@@ -77,7 +78,13 @@ void read(CloudFile& cloud, const Module& module) {
                       std::string(module.file) + " is of another version than pcl_emtr");
   Sink sink(cloud);
   std::array<char, 1000> error{};
-  const int failed = read_file(cloud.place.c_str(), &sink, error.data(), error.size());
+  const int failed = [&] {
+    // Neither library promises that threads may read files at a time: that of E57 sets up and ends
+    // its XML parser, which the whole process shares, for each file.
+    static std::mutex reading;
+    const std::lock_guard<std::mutex> lock(reading);
+    return read_file(cloud.place.c_str(), &sink, error.data(), error.size());
+  }();
   if (sink.full) throw std::bad_alloc();
   if (failed) throw FileFailure(cloud.path, error.data());
   if (cloud.blob.fields.empty()) throw FileFailure(cloud.path, "holds no points");
