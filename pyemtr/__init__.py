@@ -4,13 +4,14 @@
     if result.registered:
         moved = result.apply(source)           # in the target's frame
 
-Six calls are enough for most users:
+Seven calls are enough for most users:
 
 * :func:`register` finds the transformation that maps source into target.
 * :meth:`Result.apply` moves points by it.
 * :class:`Cloud` preprocesses a cloud once for many registrations.
 * :func:`residuals` measures the distance of each point to the other cloud.
 * :func:`align_all` brings many scans of one thing into one frame.
+* :class:`Localizer` finds scan after scan in a map.
 * :func:`settings` lists the keyword arguments that tune the method.
 
 Every transformation maps source into target, q = R p + t, in the clouds' own unit.
@@ -25,6 +26,7 @@ from .batch.records import PairRecord, PairRecords
 from .batch.register_many import register_many
 from .cloud import Cloud
 from .distances import residuals
+from .localizer import Localizer, Location
 from .multiway import MultiwayResult, align_all
 from .options import Setting, presets, settings
 from .problem import Problem
@@ -43,6 +45,8 @@ __all__ = [  # noqa: RUF022 - what everyone needs stands first
     "residuals",
     "align_all",
     "MultiwayResult",
+    "Localizer",
+    "Location",
     "settings",
     "presets",
     "Setting",
