@@ -15,7 +15,8 @@ class Pair:
     ``source`` and ``target`` are anything that :func:`pyemtr.register` takes. ``source_text`` and
     ``target_text`` are their paths as the user wrote them, None for clouds that are no files.
     ``settings`` are keyword arguments of :func:`pyemtr.register` that this pair has beside those
-    of all pairs.
+    of all pairs. With ``page`` a page of the pair is made too, and from ``record`` that alone, of a
+    pair that was registered before.
     """
 
     index: int
@@ -25,6 +26,8 @@ class Pair:
     source_text: str | None
     target_text: str | None
     settings: Mapping[str, Any] = field(default_factory=dict)
+    page: bool = False
+    record: Mapping[str, Any] | None = None
 
 
 def pairs_of(items: Iterable[Any]) -> Iterator[Pair]:

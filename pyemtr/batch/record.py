@@ -5,13 +5,16 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .. import _emtr
 from ..options import settings
 from ..result import ATTRIBUTES, Result
 from ..result_json import to_json
 from .pair import Pair
+
+if TYPE_CHECKING:
+    from .pages import PairPage
 
 REGISTERED, NOT_REGISTERED, ERROR = "registered", "not_registered", "error"
 
@@ -56,6 +59,8 @@ class Line:
     index: int
     status: str
     text: str  # JSON without a line break within, and one behind it
+    page: PairPage | None = None
+    is_new: bool = True  # and not that of a pair of which the page alone was made
 
 
 def as_line(record: Mapping[str, Any]) -> Line:

@@ -117,6 +117,27 @@ class RecordFile:
         self._read()
 
 
+def read_records(path: Path) -> dict[int, dict[str, Any]]:
+    """Returns the records of a file by index; a last line without its end is left out.
+
+    Raises:
+        ValueError: a line is no record.
+        OSError: the file cannot be read.
+    """
+    records = {}
+    with path.open("rb") as file:
+        for number, line in enumerate(file, 1):
+            if line.endswith(b"\n"):
+                try:
+                    record = dict(json.loads(line))
+                    records[int(record["index"])] = record
+                except (ValueError, KeyError, TypeError) as error:
+                    raise ValueError(
+                        f"{path}: line {number}: expected the record of a pair: {error}"
+                    ) from error
+    return records
+
+
 def _last_line_end(file: int, end: int) -> int:
     """Returns where the last whole line ends; 0 when there is none."""
     step = 1 << 16

@@ -6,9 +6,11 @@ import itertools
 import operator
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .pages import PagesFolder
 from .pair import Pair, pairs_of
 from .pair_files import read_pairs
 from .progress_bar import ProgressBar
@@ -34,6 +36,7 @@ def register_many(
     memory_limit: int = 1 << 30,
     progress: bool | None = None,
     retry_errors: bool = False,
+    html: Any = None,
     threads: int = 1,
     preset: str = "default",
     **settings: Unpack[ManySettings],
@@ -61,6 +64,9 @@ def register_many(
         progress: whether a bar shows pairs per second and the time left (``pip install
             'pyemtr[batch]'``); None for when standard error is a terminal and tqdm is installed.
         retry_errors: try those pairs again that ``out`` has an error of.
+        html: a folder for pages to look at, which load nothing: ``index.html``, which is sorted by
+            confidence, and the page of each pair that has a result, of about 1 MB. Pages that are
+            there from an earlier run with the same ``out`` stay. None: no pages.
         threads: of each registration; the result does not depend on it.
         preset: one of :func:`pyemtr.presets`.
         **settings: of all pairs; what a pair has of its own counts more. Any of
@@ -86,6 +92,7 @@ def register_many(
     size, limit = _whole("chunksize", chunksize, 1), _whole("memory_limit", memory_limit, 0)
     listed = _listed(pairs)
     total = len(listed) if isinstance(listed, Sequence) else None
+    pages = None if html is None else PagesFolder(Path(html))
     runner = runner_of(executor, _whole("workers", workers, 0), common, limit)
     try:
         results = MemoryResults() if out is None else FolderResults(Path(out), retry_errors)
@@ -93,8 +100,12 @@ def register_many(
             bar = ProgressBar(progress, total, len(results))
             try:
                 sharing = Sharing(None if total is not None else 64)
-                count = _run(map(sharing.share, _pairs(listed)), runner, results, bar, common, size)
-                return results.finish(count)
+                shared = map(sharing.share, _pairs(listed))
+                count = _run(shared, runner, results, pages, bar, common, size)
+                records = results.finish(count)
+                if pages is not None:
+                    pages.write_index((record.values for record in records), "Registrations")
+                return records
             finally:
                 bar.close()
         finally:
@@ -132,13 +143,14 @@ def _run(
     pairs: Iterator[Pair],
     runner: Runner,
     results: Any,
+    pages: PagesFolder | None,
     bar: ProgressBar,
     settings: Mapping[str, Any],
     chunksize: int,
 ) -> int:
-    """Does what is not recorded, and returns the number of all pairs."""
+    """Does what is not recorded or has no page, and returns the number of all pairs."""
     counted = _Counted(pairs)
-    missing = (pair for pair in counted if not results.has(pair, settings))
+    missing = _missing(counted, results, pages, settings)
     running, more = 0, True
     try:
         while True:
@@ -158,14 +170,34 @@ def _run(
                     done.append(runner.next())
             finally:
                 running -= len(done)
-                _record(done, results, bar)
+                _record(done, results, pages, bar)
     except BaseException:
-        _record(runner.finished(), results, bar)
+        _record(runner.finished(), results, pages, bar)
         raise
 
 
-def _record(done: list[list[Line]], results: Any, bar: ProgressBar) -> None:
-    lines = [line for one in done for line in one]
+def _missing(
+    pairs: Iterable[Pair], results: Any, pages: PagesFolder | None, settings: Mapping[str, Any]
+) -> Iterator[Pair]:
+    """The pairs that are to be done: those without a record, and those whose page is missing."""
+    for pair in pairs:
+        if not results.has(pair, settings):
+            yield replace(pair, page=pages is not None)
+        elif pages is not None:
+            record = results.record(pair.index)
+            if not pages.has(record):
+                yield replace(pair, page=True, record=record)
+
+
+def _record(
+    done: list[list[Line]], results: Any, pages: PagesFolder | None, bar: ProgressBar
+) -> None:
+    """Writes pages, and then the records: what is recorded has its page."""
+    made = [line for one in done for line in one]
+    for line in made:
+        if pages is not None and line.page is not None:
+            pages.write(line.index, line.page)
+    lines = [line for line in made if line.is_new]
     if lines:
         results.append(lines)
         bar.add(len(lines))

@@ -31,6 +31,9 @@ class MemoryResults:
     def has(self, pair: Pair, settings: Mapping[str, Any]) -> bool:
         return False
 
+    def record(self, index: int) -> dict[str, Any]:
+        raise KeyError(index)
+
     def append(self, lines: list[Line]) -> None:
         for line in lines:
             self._lines[line.index] = line.text
@@ -74,6 +77,10 @@ class FolderResults:
                 if name != "threads" and recorded.get(name) != value:
                     self._refuse(pair, name, recorded.get(name), value)
         return True
+
+    def record(self, index: int) -> dict[str, Any]:
+        """Returns the record of a pair that has one. Raises KeyError for any other."""
+        return self._file.read(index)
 
     def append(self, lines: list[Line]) -> None:
         self._file.append(lines)

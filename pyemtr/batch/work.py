@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -10,8 +11,9 @@ from ..cloud import Cloud
 from ..mesh import MESH_POINTS, as_mesh_points
 from ..registration import register
 from .cloud_cache import CloudCache
+from .pages import PairPage, page_of_pair, shown_cloud
 from .pair import Pair
-from .record import Line, as_line, error_record, result_record
+from .record import Line, arguments_of, as_line, error_record, result_of, result_record
 from .shared import Shared
 
 # They belong to one registration, so that its clouds are read for it alone.
@@ -60,6 +62,23 @@ def register_pairs(
     return [_record(pair, settings, cache, stopped, scattered or {}) for pair in pairs]
 
 
+def page_of_recorded(
+    pair: Pair,
+    record: Mapping[str, Any],
+    cache: CloudCache,
+    scattered: Mapping[str, Any] | None = None,
+) -> PairPage:
+    """Makes the page of a pair that was registered before.
+
+    Raises TypeError, ValueError, OSError or ImportError when a cloud cannot be read.
+    """
+    arguments = arguments_of(record)
+    clouds = _clouds(pair, arguments, cache, scattered or {})
+    result = result_of(record)
+    assert result is not None  # a record with an error has no page
+    return page_of_pair(pair, record, result, _shown(pair, clouds))
+
+
 def _record(
     pair: Pair,
     settings: Mapping[str, Any],
@@ -69,21 +88,38 @@ def _record(
 ) -> Line:
     if stopped is not None and stopped():
         raise Stopped
+    if pair.record is not None:
+        page = page_of_recorded(pair, pair.record, cache, scattered)
+        return replace(as_line(pair.record), page=page, is_new=False)
     arguments = {**settings, **pair.settings}
     try:
-        count = as_mesh_points(arguments.get("mesh_points", MESH_POINTS))
-        whole = any(arguments.get(name) is not None for name in _OF_POINTS)
-        source, target = (
-            _cloud(getattr(pair, role), role, count, whole, cache, scattered)
-            for role in ("source", "target")
-        )
+        source, target = _clouds(pair, arguments, cache, scattered)
         callback = None if stopped is None else (lambda _: stopped())
         result = register(source, target, callback=callback, **arguments)
     except _FAULTS as error:
         return as_line(error_record(pair, error))
     if result.reason == "interrupted":
         raise Stopped
-    return as_line(result_record(pair, str(arguments.get("preset", "default")), result))
+    record = result_record(pair, str(arguments.get("preset", "default")), result)
+    if not pair.page:
+        return as_line(record)
+    page = page_of_pair(pair, record, result, _shown(pair, (source, target)))
+    return replace(as_line(record), page=page)
+
+
+def _clouds(
+    pair: Pair, arguments: Mapping[str, Any], cache: CloudCache, scattered: Mapping[str, Any]
+) -> tuple[Any, Any]:
+    count = as_mesh_points(arguments.get("mesh_points", MESH_POINTS))
+    whole = any(arguments.get(name) is not None for name in _OF_POINTS)
+    return (
+        _cloud(pair.source, "source", count, whole, cache, scattered),
+        _cloud(pair.target, "target", count, whole, cache, scattered),
+    )
+
+
+def _shown(pair: Pair, clouds: tuple[Any, Any]) -> tuple[Any, Any]:
+    return shown_cloud(pair.source, clouds[0]), shown_cloud(pair.target, clouds[1])
 
 
 def _cloud(

@@ -22,7 +22,8 @@ _EPILOG = """Files of --out:
   fused.ply               the average of all points in each voxel, with normals and colors if given
   model.png               each scan in a color of its own (where matplotlib is installed)
   report.json             the verdict of each scan, and each edge with why it was taken or not
-A second model has graph_1.g2o and so on.
+A second model has graph_1.g2o and so on. --html writes index.html, a page with each scan in a color
+of its own and why each pair was taken or not, and pairs/, a page of each pair.
 
 exit code: 0 when all scans are placed in one model; 3 when scans are left out or there are several
 models; 2 for wrong usage or input, and nothing is written then; 130 on Ctrl-C."""
@@ -48,6 +49,8 @@ def main(words: Sequence[str] | None = None) -> int:
         )
         shown.done()
         result.save(out, arguments.voxel)
+        if arguments.html is not None:
+            result.to_html(arguments.html, threads=arguments.threads)
     except KeyboardInterrupt:
         shown.done()
         return 130
@@ -70,6 +73,7 @@ def parser() -> argparse.ArgumentParser:
     add("scans", nargs="+", metavar="SCAN",
         help=f"a folder of scans ({' '.join(FORMATS)}), or two or more files")  # fmt: skip
     add("--out", required=True, metavar="DIR", help="folder to write to; it is made")
+    add("--html", metavar="DIR", help="folder to write pages for a browser to; it is made")
     add("--force", action="store_true", help="write into a folder that is not empty")
     add("--preset", choices=[name for name in presets() if name != "paper"], default="default",
         help="of the registration of pairs (default: default)")  # fmt: skip

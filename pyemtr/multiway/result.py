@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from ..arrays import Floats
+from ..result import Result
 from ..result_json import to_json
 from .colors import Rows
 from .edges import Edge
@@ -18,6 +19,7 @@ from .g2o import Graph, GraphEdge, write_g2o
 from .information import about_origin, at_source
 from .open3d_graph import write_open3d
 from .output import save
+from .pages import Which, write_pages
 from .rigid import moved
 from .scans import Scans
 from .verdicts import ScanVerdict
@@ -44,6 +46,7 @@ class MultiwayResult:
     radius: float
     seconds: float
     _source: Scans = field(compare=False)
+    _results: Mapping[tuple[int, int], Result] = field(compare=False)
 
     @property
     def poses(self) -> Floats:
@@ -131,6 +134,43 @@ class MultiwayResult:
         """
         return save(self, folder, voxel)
 
+    def to_html(
+        self,
+        folder: str | os.PathLike[str],
+        *,
+        title: str = "Many scans",
+        unit: str = "",
+        up: Sequence[float] = (0.0, 0.0, 1.0),
+        pairs: Which = "all",
+        max_points: int = 15_000,
+        threads: int = 0,
+    ) -> list[str]:
+        """Writes pages to look at. ``index.html`` shows each model with every scan in a color of
+        its own, the pose graph, and each pair with why it was taken or not. ``pairs/`` has the page
+        of each pair, as :meth:`pyemtr.Result.to_html` writes it. They load nothing.
+
+        Args:
+            folder: where to; it is made. Each page is written whole or not at all, the index last.
+            title: above the index.
+            unit: name of the scans' unit, for the scale bars and the distances.
+            up: direction (3,) in the models' frame that is up on the screen.
+            pairs: of which a page is written: "all" that were registered, those that were "taken",
+                or "none".
+            max_points: of each scan on the page of a pair. A page takes about 1 MB.
+            threads: as in :meth:`pyemtr.Result.to_html`.
+
+        Returns:
+            The paths of the files, from the folder.
+
+        Raises:
+            ValueError: an argument out of range.
+            OSError: a file that cannot be written, or read again.
+        """
+        return write_pages(
+            self, folder, title=title, unit=unit, up=up, pairs=pairs, max_points=max_points,
+            threads=threads,
+        )  # fmt: skip
+
     def to_dict(self) -> dict[str, Any]:
         """Returns all that is known as JSON values: lists for arrays, None for NaN."""
         value: dict[str, Any] = to_json(
@@ -149,6 +189,16 @@ class MultiwayResult:
         pose, rows = self.scans[scan].pose, self._source.rows(scan)
         normals = None if rows.normals is None else rows.normals @ pose[:3, :3].T
         return Rows(moved(pose, rows.points), normals, rows.colors)
+
+    def registration(self, source: int, target: int) -> Result:
+        """Returns the result of a pair that was registered: a :class:`pyemtr.Result`, source into
+        target. Raises KeyError for a pair that was not, also for the reverse of one that was."""
+        return self._results[source, target]
+
+    def points(self, scan: int) -> Floats:
+        """Returns all finite points of a scan in its own frame, float64 (N, 3). A scan that was
+        given by path is read again."""
+        return self._source.rows(scan).points
 
     def surface(self, scan: int) -> Floats:
         """Returns a scan's surface in its own frame, thinned to some thousand points: float64

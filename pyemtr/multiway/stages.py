@@ -124,6 +124,7 @@ class Stages:
             self._radius,
             seconds,
             self._scans,
+            dict(self._results),
         )
 
     def _promise(self, pair: Pair) -> tuple[float, float]:

@@ -72,6 +72,34 @@ def pages(tmp_path_factory) -> dict[str, Path]:
     return found
 
 
+def lumps(count: int, seed: int, bumps: int) -> np.ndarray:
+    """Points on a lumpy egg; ``bumps`` tells one egg from another."""
+    rng = np.random.default_rng(seed)
+    at = rng.normal(size=(count, 3))
+    at /= np.linalg.norm(at, axis=1, keepdims=True)
+    x, y, z = at.T
+    height = 1 + 0.12 * np.sin(bumps * x + 1) * np.sin(5 * y) + 0.1 * np.sin(6 * z + 2 * x)
+    return at * height[:, None] * [1.0, 0.8, 0.6]
+
+
+@pytest.fixture(scope="session")
+def models(tmp_path_factory) -> Path:
+    """The page of two models and a scan that is left out."""
+    pytest.importorskip("gtsam", reason="gtsam is not installed")
+    clouds, names = [], []
+    for bumps in (4, 7):
+        body = lumps(9000, bumps, bumps)
+        for k, side in enumerate([(1, 0, 0), (-0.6, 0.8, 0), (0, 1, 0.3)]):
+            clouds.append(body[body @ np.array(side) > -0.25] + [3 * k, 0, 0])
+            names.append(f"egg {bumps} side {k}")
+    clouds.append(relief(2000, 9) / 100)
+    folder = tmp_path_factory.mktemp("models")
+    result = pyemtr.align_all(clouds, preset="fast", names=[*names, HOSTILE])
+    assert [len(members) for members in result.models] == [3, 3]
+    result.to_html(folder, unit="mm", title=HOSTILE)
+    return folder / "index.html"
+
+
 @pytest.fixture(scope="session")
 def chromium() -> Iterator[Any]:
     webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")

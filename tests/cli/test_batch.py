@@ -274,3 +274,48 @@ def test_the_status_line_is_for_terminals(run, command, tmp_path: Path, six: Pat
     process.wait(60)
     assert b"/6 pairs, " in shown and b" pairs/s, 0:0" in shown and b" left" in shown
     assert shown.rindex(b"\r\x1b[K") < shown.rindex(b"6 of 6 pairs: ")
+
+
+@pytest.fixture
+def python_with_pyemtr(tmp_path) -> dict[str, str]:
+    """An environment whose python3 has the package that the tests have."""
+    pyemtr = pytest.importorskip("pyemtr", reason="pyemtr is not installed")
+    place = Path(pyemtr.__file__).parent.parent
+    (tmp_path / "bin").mkdir()
+    program = tmp_path / "bin" / "python3"
+    program.write_text(f'#!/bin/sh\nPYTHONPATH="{place}" exec "{sys.executable}" "$@"\n')
+    program.chmod(0o755)
+    return {**os.environ, "PATH": f"{tmp_path / 'bin'}:/usr/bin:/bin"}
+
+
+def test_pages_are_made_and_go_on(run, six, tmp_path, python_with_pyemtr):
+    """With --html each result has a page, and those of an earlier run stay."""
+    batch = ["--batch", six, "--out", "out", "--html", "html", *SMALL]
+    assert run(*batch, env=python_with_pyemtr).returncode in (0, 3)
+    pages = tmp_path / "html" / "pairs"
+    assert len(list(pages.glob("*.html"))) == len(list(pages.glob("*.png"))) == 6
+    text = (tmp_path / "html" / "index.html").read_text()
+    assert text.count('"page":"pairs/00000') == 6 and "data:image/png;base64" in text
+    (pages / "000003.html").unlink()
+    before = {path.name: path.stat().st_mtime_ns for path in pages.glob("*.html")}
+    assert run(*batch, env=python_with_pyemtr).returncode in (0, 3)
+    after = {path.name: path.stat().st_mtime_ns for path in pages.glob("*.html")}
+    assert len(after) == 6 and all(after[name] == time for name, time in before.items())
+
+
+def test_pages_need_the_package_before_anything_is_done(refused, six, tmp_path):
+    (tmp_path / "empty").mkdir()
+    environment = {"PATH": str(tmp_path / "empty")}
+    told = refused(2, "--batch", six, "--out", "out", "--html", "html", *SMALL, env=environment)
+    assert "pip install 'pyemtr[files]'" in told and not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        (["--html", "-"], "--html: expected a folder"),
+        (["--html", "p", "--html-unit", "mm"], "--html-unit and --batch"),
+    ],
+)
+def test_wrong_usage_of_pages(refused, six, more, message):
+    assert message in refused(1, "--batch", six, "--out", "out", *more)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "align_all/align_all.h"
 #include "batch/batch.h"
 #include "console/messages.h"
 #include "failure.h"
@@ -70,6 +71,7 @@ int run(int argc, char** argv) {
   auto parsed = parse_command_line(argc, argv);
   if (!parsed) return kRegistered;
   Options& options = *parsed;
+  if (!options.align.scans.empty()) run_align_all(options);
   if (!options.batch.pairs.empty()) return run_batch(options);
   const Messages messages(options.quiet);
   check_before(options);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/pages.h"
 #include "batch/pairs.h"
 #include "batch/record.h"
 #include "batch/record_file.h"
@@ -49,6 +50,7 @@ int exit_code(const RecordFile::Counts& counts) {
 
 int run_batch(const Options& options) {
   const std::vector<Pair> pairs = read_pairs(options);
+  require_pages(options);
   RecordFile records(options.batch.out, options.batch.retry_errors);
   const auto missing = missing_pairs(pairs, records, options);
   {
@@ -64,7 +66,9 @@ int run_batch(const Options& options) {
         stderr, "%zu of %zu pairs: %zu registered, %zu not registered, %zu errors; %s\n",
         counts.all(), pairs.size(), counts.registered, counts.not_registered, counts.errors,
         stopped ? "stopped, the same command goes on" : ("in '" + options.batch.out + "'").c_str());
-  return stopped ? kSignal + Interrupt::number() : exit_code(counts);
+  if (stopped) return kSignal + Interrupt::number();
+  const int pages = options.html.empty() ? 0 : make_pages(options);
+  return pages ? pages : exit_code(counts);
 }
 
 }  // namespace cli

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "failure.h"
+#include "files/streams.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -38,7 +39,8 @@ BatchOptions::BatchOptions(CLI::App& app, Options& options) : app_(app) {
       ->group(kGroup);
   app.add_option("--out", options.batch.out,
                  wrapped("the folder for results.jsonl, a record a pair, and results.csv; what is "
-                         "recorded there is not done again"))
+                         "recorded there is not done again; with --align-all for the poses, the "
+                         "pose graph and the model"))
       ->type_name("DIR")
       ->group(kGroup);
   app.add_option("--workers", workers_,
@@ -60,7 +62,9 @@ void BatchOptions::check(Options& options) const {
   const auto given = [&](const std::string& name) { return app_.get_option(name)->count() > 0; };
   if (!given("--batch")) {
     for (const char* name : {"--out", "--workers", "--cache-memory", "--retry-errors"})
-      if (given(name)) throw UsageFailure(std::string(name) + ": expected --batch beside it");
+      if (given(name))
+        throw UsageFailure(std::string(name) + ": expected --batch" +
+                           (std::string(name) == "--out" ? " or --align-all" : "") + " beside it");
     return;
   }
   for (const char* name : {"source", "target", "--output", "--aligned", "--report", "--residuals",
@@ -70,6 +74,10 @@ void BatchOptions::check(Options& options) const {
                          "what belongs to one pair is a column of the file, or is not there");
   if (options.batch.pairs.empty())
     throw UsageFailure("--batch: expected a file or folder, got nothing");
+  if (!options.html_unit.empty())
+    throw UsageFailure("--html-unit and --batch contradict each other: the pages name no unit");
+  if (descriptor_of(options.html))
+    throw UsageFailure("--html: expected a folder beside --batch, got '" + options.html + "'");
   if (options.batch.out.empty()) throw UsageFailure("--batch: expected --out for the results");
   options.batch.workers = workers_.empty() ? 0 : whole("--workers", workers_, kMostWorkers);
   const std::size_t megabytes =

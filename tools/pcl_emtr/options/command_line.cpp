@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "align_all/align_options.h"
 #include "batch/batch_options.h"
 #include "failure.h"
 #include "options/file_options.h"
@@ -87,10 +88,12 @@ std::optional<Options> parse_command_line(int argc, char** argv) {
   add_run_options(app, options, reference);
   const FileOptions files(app, options);
   const BatchOptions batch(app, options);
+  const AlignOptions align(app, options);
   const Viewpoints viewpoints(app);
   const Priors priors(app);
   const SettingOptions settings(app);
   if (!parse(app, argc, argv)) return std::nullopt;
+  if (align.check(options)) return options;
 
   const auto begin = [&](const std::string& preset, emtr_settings& chosen) {
     begin_with_preset(preset, chosen);

@@ -68,7 +68,8 @@ void FileOptions::add_outputs(CLI::App& app, Options& options) {
           app, "--html", options.html,
           "write a page to look at here: both clouds in three dimensions, the error map, the "
           "verdict and what to try, the alternatives, timings and settings; one file for a "
-          "browser, which loads nothing")};
+          "browser, which loads nothing; with --batch and --align-all this is a folder, for the "
+          "pages of all pairs and an index.html, made by the Python package")};
   for (CLI::Option* output : outputs_) output->group("Output files");
   app.add_option("--html-unit", options.html_unit,
                  wrapped("the name of the clouds' unit, for the scale bar of --html, such as mm"))

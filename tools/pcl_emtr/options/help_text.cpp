@@ -22,6 +22,7 @@ std::string formats_text() {
 std::string short_help() {
   return R"(Usage: pcl_emtr [OPTIONS] source target
    or: pcl_emtr [OPTIONS] --batch pairs.csv --out DIR   (many pairs)
+   or: pcl_emtr [OPTIONS] --align-all DIR --out DIR     (many scans)
 
 Registers two partially overlapping point clouds without an initial guess.
 Prints T, which maps source into target: q = R p + t.
@@ -40,7 +41,6 @@ Prints T, which maps source into target: q = R p + t.
   --time-limit X      stop after X seconds with the best pose so far
   -q, --quiet         print errors and warnings only
   --help-all          every option and setting, examples, notes
-  --version           versions of pcl_emtr, PCL and Eigen
 
 Example: pcl_emtr scan1.pcd scan2.pcd -o T.txt --aligned moved.pcd
 Exit codes: 0 registered, 1 wrong usage, 2 a file cannot be read or written,
@@ -67,6 +67,7 @@ Examples:
   pcl_emtr a.pcd b.pcd --seed 7 --threads 4      same seed, same result, for any --threads
   pcl_emtr a.pcd b.pcd --preset paper --dense-points 8000 --iterations 200
   pcl_emtr --batch pairs.csv --out results       many pairs; again: what is not yet recorded
+  pcl_emtr --align-all scans --out aligned       many scans of one thing into one frame
 
 Formats, by extension in any letter case:
 )" + list +
@@ -96,6 +97,8 @@ Exit codes:
      direction unconstrained, or the time limit
   130, 143  stopped by Ctrl-C or by SIGTERM: the best pose so far is written, if any was known
   With --batch: 0 when all pairs are registered, 2 when one has an error, else 3
+  With --align-all: those of pyemtr-align: 0 when all scans are in one model, 3 when some are left
+     out or there are several models, 2 for wrong usage or input
 )";
 }
 

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "formats/format.h"
 #include "read/correspondence_file.h"
@@ -20,6 +21,12 @@ struct BatchInput {
   std::size_t cache_bytes = 0;  // of preprocessed clouds
   bool retry_errors = false;
   std::map<std::string, emtr_settings> by_preset;  // with what the user gave on top
+};
+
+/// Many scans of one thing, with --align-all.
+struct AlignInput {
+  std::string scans;                   // a folder; empty: one pair, or --batch
+  std::vector<std::string> arguments;  // that pyemtr-align gets beside it
 };
 
 /// What the user asked for, checked. The paths of files that were not named are empty.
@@ -44,6 +51,7 @@ struct Options {
   bool quiet = false;
   emtr_settings settings{};
   BatchInput batch;
+  AlignInput align;
 };
 
 }  // namespace cli
