@@ -68,3 +68,53 @@ def test_the_generated_scene_is_the_same_for_a_seed() -> None:
     one, other = generated(3, {1: 2, 2: 1}), generated(3, {1: 2, 2: 1})
     assert one.chain == [1, 1, 2]
     assert all(np.array_equal(a, b) for a, b in zip(one.clouds, other.clouds))
+
+
+def test_a_made_site_is_written_and_judged(tmp_path: Path) -> None:
+    from emtr_bench.align_all.large import judged, write_site
+
+    truth = write_site(tmp_path, scans=3, points=2000, seed=1)
+    scans = [np.load(tmp_path / f"scan_{k:04d}.npy") for k in range(3)]
+    assert all(scan.shape == (2000, 3) and scan.dtype == np.float32 for scan in scans)
+    for pose, other, scan in zip(truth, truth[1:], scans):
+        ground = scan @ pose[:3, :3].T + pose[:3, 3]
+        assert np.abs(ground[:, 2]).max() < 8  # it lies flat again
+        assert 1 < np.linalg.norm(pose[:3, 3] - other[:3, 3]) < 6
+    found = {"models": [[0, 1, 2]], "poses": [np.linalg.inv(truth[0]) @ pose for pose in truth]}
+    assert judged(found, truth) == {
+        "models": 1, "placed": 3, "precise": 3, "right": 3, "wrong": 0, "largest": 3,
+    }  # fmt: skip
+    found["poses"][2] = found["poses"][2].copy()
+    found["poses"][2][0, 3] += 5
+    assert judged(found, truth)["wrong"] == 1
+
+
+def test_the_factor_of_edges_is_one_for_errors_that_are_as_they_say() -> None:
+    from emtr_bench.align_all.edges import motion_between, row
+
+    rng = np.random.default_rng(0)
+    raw = (rng.normal(size=(4000, 6)) ** 2).sum(axis=1)
+    errors = [{"raw": one, "normalized": one / 100, "degrees": 0.1, "radii": 0.01} for one in raw]
+    found = row("x", "all", errors)
+    assert abs(found["factor"] - 1) < 0.03 and abs(found["factor_90"] - 1) < 0.03
+    assert abs(found["with_10"] - 0.1) < 0.003
+    true = random_transformation(rng)
+    center = np.array([1.0, 2.0, 3.0])
+    motion = np.array([0.01, -0.02, 0.03, 0.1, 0.2, -0.3])
+    from pyemtr.multiway.rigid import exponential
+
+    step = exponential(motion)
+    step[:3, 3] += center - step[:3, :3] @ center
+    np.testing.assert_allclose(motion_between(true, step @ true, center), motion, atol=1e-12)
+
+
+def test_the_ways_of_the_experiment_begin_and_end_with_poses() -> None:
+    from emtr_bench.align_all import swarm
+
+    scene = generated(0, {1: 4})
+    model = swarm.Model(scene, [0, 1, 2, 3])
+    assert model.errors(model.truth).max() < 1e-5 and model.pairs
+    moved = swarm.posed(model, model.truth, np.full(18, 0.02))
+    assert 1 < model.errors(moved)[:, 0].min() < 3
+    first, second = (model.distance(poses, model.pairs[0]) for poses in (model.truth, moved))
+    assert first < second

@@ -39,5 +39,15 @@ def parser() -> argparse.ArgumentParser:
     add("--threads", type=positive, metavar="N", help="(default: one for each processor)")
     add("--seed", type=int, default=0, metavar="N", help="of the motions and the run (default: 0)")
     add("--json", type=Path, metavar="FILE", help="write the figures to FILE")
+    add("--edges", action="store_true",
+        help="instead, measure the errors of edges by their information matrices")  # fmt: skip
+    add("--large", type=positive, metavar="N",
+        help="instead, align a made site of N large scans, and tell memory and time")  # fmt: skip
+    add("--swarm", action="store_true",
+        help="instead, compare the joint refinement with swarms over all poses")  # fmt: skip
+    add("--points", type=positive, default=1_000_000, metavar="N",
+        help="of each scan of --large (default: 1000000)")  # fmt: skip
+    add("--folder", type=Path, metavar="DIR",
+        help="where the scans of --large are meanwhile (default: the system's)")  # fmt: skip
     add("--smoke", action="store_true", help="two generated things and a scan of a third")
     return made

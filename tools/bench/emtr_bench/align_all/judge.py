@@ -51,7 +51,7 @@ def judge(scene: Scene, poses: list[Array | None], models: list[int | None]) -> 
         # One of a chain is always where it is; nothing tells that it is wrong.
         placed = sum(models[i] is not None for i in members)
         wrong += max(placed - max(good, 1), 0)
-        errors += [e for e in best if _within(e, RIGHT) and e != (0.0, 0.0)]
+        errors += [e for e in best if within_limits(e, RIGHT) and e != (0.0, 0.0)]
     medians = np.median(np.array(errors), axis=0) if errors else np.full(2, np.nan)
     return Judged(scans, precise, right, wrong, float(medians[0]), float(medians[1]))
 
@@ -82,11 +82,12 @@ def _against(
     return found
 
 
-def _within(error: tuple[float, float], limits: tuple[float, float]) -> bool:
+def within_limits(error: tuple[float, float], limits: tuple[float, float]) -> bool:
+    """Tells whether an error, degrees and radii, is below the limits."""
     return error[0] < limits[0] and error[1] < limits[1]
 
 
 def _count(errors: list[tuple[float, float]], limits: tuple[float, float]) -> int:
     """Counts those within the limits; one scan alone is in no place."""
-    count = sum(_within(error, limits) for error in errors)
+    count = sum(within_limits(error, limits) for error in errors)
     return count if count > 1 else 0

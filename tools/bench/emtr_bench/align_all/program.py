@@ -12,9 +12,12 @@ from .. import machine
 from ..data import chosen
 from ..pairs import DataError
 from ..whole_file import write_whole
+from .edges import measure_edges
 from .judge import judge
+from .large import large
 from .methods import Method, method, threads_or_all
 from .scenes import Scene, generated, scenes_of
+from .swarm import compare
 
 HEAD = (
     f"{'scene':<24}{'method':<8}{'scans':>6}{'judged':>8}{'precise':>9}{'right':>7}{'wrong':>7}"
@@ -24,11 +27,17 @@ HEAD = (
 
 def align_all(arguments: argparse.Namespace) -> int:
     """Does what the command line says; gives the exit code."""
+    if arguments.large:
+        return large(arguments)
+    if arguments.swarm:
+        return compare(arguments)
     try:
         scenes = scenes_to_align(arguments)
     except DataError as error:
         print(f"align_all: {error}", file=sys.stderr)
         return 2
+    if arguments.edges:
+        return measure_edges(scenes, arguments)
     methods: dict[str, Method] = {}
     for name in arguments.method:
         found = method(name)

@@ -58,6 +58,18 @@ def generated(seed: int, scans: dict[int, int]) -> Scene:
     return _moved("generated", clouds, [np.eye(4)] * len(clouds), chain, rng)
 
 
+def virtual(seed: int) -> Scene:
+    """Virtual scans of the small dragon from eight sides, as docs/many_scans.py has them: parts of
+    it hide others, and it has thin wings."""
+    from ..virtual_pairs import scenes  # it says where the scanner is
+
+    scanner = scenes.scanner
+    rng = np.random.default_rng(seed)
+    views = [(45 * k, 18 if k % 2 else 32) for k in range(8)]  # azimuth and elevation, degrees
+    clouds = [scanner.scan(scanner.viewpoint(*view), 12000, 0.1, rng).points for view in views]
+    return _moved("virtual", clouds, [np.eye(4)] * len(clouds), [0] * len(clouds), rng)
+
+
 def _thing(seed: int, rng: np.random.Generator, count: int) -> Array:
     fixed = np.random.default_rng(1000 + seed)
     bumps = _directions(fixed, 50)
@@ -72,7 +84,8 @@ def _directions(rng: np.random.Generator, count: int) -> Array:
     return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
 
 
-def _rotation(rng: np.random.Generator) -> Array:
+def random_rotation(rng: np.random.Generator) -> Array:
+    """A rotation (3, 3), all alike likely."""
     q, r = np.linalg.qr(rng.normal(size=(3, 3)))
     q = q * np.sign(np.diag(r))
     return q if np.linalg.det(q) > 0 else -q
@@ -124,7 +137,7 @@ def _moved(
     moved, poses = [], []
     for cloud, pose in zip(clouds, truth):
         motion = np.eye(4)
-        motion[:3, :3] = _rotation(rng)
+        motion[:3, :3] = random_rotation(rng)
         motion[:3, 3] = rng.uniform(-1, 1, 3) * np.ptp(cloud, axis=0).max()
         moved.append(cloud @ motion[:3, :3].T + motion[:3, 3])
         poses.append(pose @ np.linalg.inv(motion))
