@@ -118,3 +118,18 @@ def test_the_ways_of_the_experiment_begin_and_end_with_poses() -> None:
     assert 1 < model.errors(moved)[:, 0].min() < 3
     first, second = (model.distance(poses, model.pairs[0]) for poses in (model.truth, moved))
     assert first < second
+
+
+def test_the_ground_of_the_site_is_the_sum_of_its_bumps() -> None:
+    from emtr_bench.align_all.large import ground
+
+    rng = np.random.default_rng(0)
+    bumps, heights, widths = (
+        rng.uniform(-13, 13, (180, 2)), rng.uniform(0.2, 1.4, 180), rng.uniform(0.4, 1.3, 180),
+    )  # fmt: skip
+    at = rng.uniform(-7, 7, (1000, 2))
+    away = ((at[:, None] - bumps) ** 2).sum(axis=2)
+    expected = (heights * np.exp(-away / widths**2)).sum(axis=1)
+    for place in ([0.3, -0.2], [-1.0, 2.01]):  # the same ground from each place
+        found = ground(at, np.array(place), bumps, heights, widths)
+        assert np.abs(found - expected).max() < 0.02

@@ -30,6 +30,7 @@ _REACH = 10.0  # m that a scan sees
 _STEP = 6.0  # m between two places along the way
 _BUMPS = 0.35  # a square meter
 _NOISE = 0.01  # m
+_RASTER = 0.05  # m, of the ground
 
 
 def large(arguments: argparse.Namespace) -> int:
@@ -84,10 +85,9 @@ def write_site(folder: Path, scans: int, points: int, seed: int) -> list[Array]:
         place = radius * np.array([np.cos(angle), np.sin(angle)])
         far, turn = _REACH * np.sqrt(rng.uniform(size=points)), rng.uniform(0, 2 * np.pi, points)
         at = place + far[:, None] * np.column_stack([np.cos(turn), np.sin(turn)])
-        near = np.flatnonzero(np.linalg.norm(bumps - place, axis=1) < _REACH + 3)
-        z = rng.normal(scale=_NOISE, size=points)
-        for i in near:
-            z += heights[i] * np.exp(-((at - bumps[i]) ** 2).sum(axis=1) / widths[i] ** 2)
+        near = np.linalg.norm(bumps - place, axis=1) < _REACH + 4
+        z = ground(at, place, bumps[near], heights[near], widths[near])
+        z += rng.normal(scale=_NOISE, size=points)
         pose = np.eye(4)
         pose[:3, :3] = random_rotation(rng)
         pose[:3, 3] = [*place, 2.0]
@@ -95,6 +95,23 @@ def write_site(folder: Path, scans: int, points: int, seed: int) -> list[Array]:
         np.save(folder / f"scan_{k:04d}.npy", scan.astype(np.float32))
         poses.append(pose)
     return poses
+
+
+def ground(at: Array, place: Array, bumps: Array, heights: Array, widths: Array) -> Array:
+    """The heights (N,) at places (N, 2): between the nodes of a raster that all scans share."""
+    low = np.floor((place - _REACH) / _RASTER) - 1
+    nodes = np.arange(int(2 * _REACH / _RASTER) + 4)
+    x, y = ((low[axis] + nodes) * _RASTER for axis in range(2))
+    rows, columns = (
+        np.exp(-((line[:, None] - bumps[:, axis]) ** 2) / widths**2)
+        for axis, line in enumerate((x, y))
+    )
+    height = (rows * heights) @ columns.T
+    cell = np.clip(np.floor(at / _RASTER - low).astype(np.int64), 0, len(nodes) - 2)
+    (i, j), (u, v) = cell.T, (at / _RASTER - low - cell).T
+    upper = (1 - v) * height[i, j] + v * height[i, j + 1]
+    lower = (1 - v) * height[i + 1, j] + v * height[i + 1, j + 1]
+    return np.asarray((1 - u) * upper + u * lower)
 
 
 def judged(found: dict[str, Any], truth: list[Array]) -> dict[str, int]:
