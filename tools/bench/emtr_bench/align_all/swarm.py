@@ -30,8 +30,8 @@ from pyemtr.neighborhood import neighbor_tree
 from ..pairs import Array
 from .scenes import Scene, generated, virtual
 
-_PARTICLES, _ITERATIONS = 24, 40
-_POINTS = 250  # of a scan whose distances are measured
+_PARTICLES, _ITERATIONS = 16, 25
+_POINTS = 150  # of a scan whose distances are measured
 _REACH = 0.06  # radii at which a distance is truncated
 _SPREADS = ((1.0, 0.02), (4.0, 0.08), (10.0, 0.2))  # of the start: degrees and radii
 _OVERLAP = 0.2  # from which two scans are a pair
