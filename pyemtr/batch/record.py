@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from .. import _emtr
+from ..extension import _emtr
 from ..options import settings
 from ..result import ATTRIBUTES, Result
 from ..result_json import to_json
