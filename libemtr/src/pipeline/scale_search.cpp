@@ -99,6 +99,12 @@ void ScaleSearch::match_at(double octaves) {
   }
 }
 
+std::vector<double> ScaleSearch::likely_scales(std::size_t count) const {
+  std::vector<double> out;
+  for (const TaskGamma::Peak& peak : gamma_.peaks(count)) out.push_back(range_.scale(peak.octaves));
+  return out;
+}
+
 void ScaleSearch::search_at_peaks(std::size_t count) {
   for (const TaskGamma::Peak& peak : gamma_.peaks(count)) search_at(range_.scale(peak.octaves));
 }

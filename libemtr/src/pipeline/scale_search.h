@@ -39,6 +39,9 @@ class ScaleSearch {
   /// Looks at one scale.
   void search_at(double scale);
 
+  /// Returns the scales for which most pairs of matches vote, best first.
+  std::vector<double> likely_scales(std::size_t count) const;
+
   /// Returns what was found, best first, no two of them the same.
   const std::vector<ScaleHypothesis>& ranked() const { return ranked_; }
 

@@ -19,6 +19,8 @@ constexpr double kRivalGap = 0.02;  // of the scores of two similarities
 /// A rigid run whose scale was so far off is made again at the refined one.
 constexpr double kOff = 0.02;  // of the logarithm
 constexpr double kUnitTolerance = 0.06;
+constexpr std::size_t kLikely = 5, kTries = 2;
+constexpr double kTriedBefore = 0.1;  // of the logarithm
 
 class UnknownScale {
  public:
@@ -35,7 +37,7 @@ class UnknownScale {
   std::unique_ptr<Result> run() {
     if (settings_.scale == ScaleSearched::Bounded &&
         settings_.scale_minimum == settings_.scale_maximum)
-      return register_at({{settings_.scale_minimum, {}}, 0}, settings_);
+      return register_at(at(settings_.scale_minimum), settings_);
     if (settings_.correspondences) return run_by_matches();
     const bool stopped_early = !look(&UnknownScale::search_first);
     std::unique_ptr<Result> first;
@@ -46,12 +48,31 @@ class UnknownScale {
       if (is_sure(*first) || token_.cancelled()) return first;
     }
     if (!stopped_early) look(&UnknownScale::search_rest);
-    if (!best()) return register_at({{range_.guess, {}}, 0}, settings_);
-    std::unique_ptr<Result> second = register_at(*best(), settings_);
-    return first && first->confidence > second->confidence ? std::move(first) : std::move(second);
+    std::unique_ptr<Result> second = register_at(best().value_or(at(range_.guess)), settings_);
+    if (first && first->confidence > second->confidence) second = std::move(first);
+    return second->registered || token_.cancelled() ? std::move(second)
+                                                    : try_likely(std::move(second));
   }
 
  private:
+  /// Returns a scale of which no pose is known.
+  static ScaleHypothesis at(double scale) { return {{scale, {}}, 0}; }
+
+  /// Registers with the fallback search at the likeliest scales, which the quick looks had without
+  /// it, until a result convinces; returns the surest.
+  std::unique_ptr<Result> try_likely(std::unique_ptr<Result> surest) {
+    if (exact()) return surest;
+    std::size_t tries = 0;
+    for (const double scale : search_.likely_scales(kLikely)) {
+      if (tries == kTries || surest->registered || token_.cancelled()) break;
+      if (std::abs(std::log(scale / surest->scale)) < kTriedBefore) continue;
+      auto other = register_at(at(scale), settings_);
+      if (other->confidence > surest->confidence) surest = std::move(other);
+      ++tries;
+    }
+    return surest;
+  }
+
   std::unique_ptr<Result> run_by_matches() {
     std::optional<ScaleHypothesis> found;
     const CancellationScope scope(&token_);
@@ -60,7 +81,7 @@ class UnknownScale {
       found = scale_of_matches(source_, target_, range_, settings_);
     } catch (const Cancelled&) {
     }
-    return register_at(found ? *found : ScaleHypothesis{{range_.guess, {}}, 0}, settings_);
+    return register_at(found.value_or(at(range_.guess)), settings_);
   }
 
   bool exact() const { return settings_.scale == ScaleSearched::Units; }
@@ -127,21 +148,32 @@ class UnknownScale {
       }
       auto result = conclude(*problem, found, token_);
       write_similarity(*problem, found, scale, fit, exact(), *result);
-      if (found.stopped) return result;
+      if (found.stopped) {
+        if (!found.pose && hypothesis.score > 0) take_best_so_far(hypothesis, *result);
+        return result;
+      }
       judge_scale(fit, exact(), settings, *result);
       add_rivals(hypothesis, *result);
       return result;
     }
   }
 
+  static void take_best_so_far(const ScaleHypothesis& hypothesis, Result& result) {
+    to_matrix(hypothesis.similarity, result.transformation);
+    result.scale = hypothesis.similarity.scale;
+  }
+
   /// Takes hypotheses that fit about as well as the one that led to the result for its rivals.
   void add_rivals(const ScaleHypothesis& hypothesis, Result& result) const {
+    const auto found = similarity_from_matrix(result.transformation);
+    if (!found) return;
+    const double score = hypothesis.score > 0 ? hypothesis.score : result.surface_fit;
     std::vector<ScaleHypothesis> rivals;
     for (const ScaleHypothesis& other : search_.ranked())
-      if (other.score > hypothesis.score - kRivalGap && other.score > 0 &&
-          !search_.is_same(other.similarity, hypothesis.similarity))
+      if (other.score > score - kRivalGap && other.score > 0 &&
+          !search_.is_same(other.similarity, *found))
         rivals.push_back(other);
-    add_rival_scales(rivals, hypothesis.score, settings_, result);
+    if (score > 0) add_rival_scales(rivals, score, settings_, result);
   }
 
   const InputCloud &source_, &target_;
