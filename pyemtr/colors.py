@@ -62,7 +62,7 @@ def brought_along(cloud: Any, name: str, points: int) -> tuple[Singles | None, S
 
     They are columns of a table or fields of a structured array, or attributes of an object.
 
-    Raises as :func:`as_colors`.
+    Numbers that cannot be colors are none, since nobody asked for them.
     """
     names = cloud.dtype.names if isinstance(cloud, np.ndarray) else None
     if names:
@@ -83,8 +83,8 @@ def brought_along(cloud: Any, name: str, points: int) -> tuple[Singles | None, S
     if taken is not None and taken.shape[1] == 4:
         taken = taken[:, :3]  # of red, green, blue and opacity
     return (
-        None if taken is None else as_colors(taken, f"{name}: colors", points),
-        None if intensity is None else as_intensity(intensity, f"{name}: intensity", points),
+        None if taken is None else _usable_colors(taken, f"{name}: colors", points),
+        None if intensity is None else _usable_intensity(intensity, f"{name}: intensity", points),
     )
 
 
@@ -101,15 +101,34 @@ def _of_columns(
     packed = next((one for one in _PACKED if one in places), None)
     if group:
         channels = np.column_stack([get(one) for one in group])
-        if channels.dtype.kind == "f" and channels.size and np.nanmax(channels) > 1:
-            channels = channels / 255  # a text has no types
-        colors = as_colors(channels, f"{name}: {', '.join(group)}", points)
+        colors = _usable_colors(channels, f"{name}: {', '.join(group)}", points)
     elif packed:
         colors = as_colors(_unpacked(get(packed)), f"{name}: {packed}", points)
     known = next((one for one in _INTENSITY if one in places), None)
     if known and get(known).dtype.kind in "fiu":
-        intensity = as_intensity(get(known), f"{name}: {known}", points)
+        intensity = _usable_intensity(get(known), f"{name}: {known}", points)
     return colors, intensity
+
+
+def _usable_colors(channels: NDArray[Any], name: str, points: int) -> Singles | None:
+    """The colors that nobody asked for; None where the numbers are none, which is no error."""
+    if channels.dtype.kind not in "fiu" or channels.shape != (points, 3) or not channels.any():
+        return None
+    if channels.dtype.kind == "f":  # a text has no types
+        most = float(np.nanmax(channels))
+        channels = channels / (1 if most <= 1 else 255 if most <= 255 else 65535)
+    try:
+        return as_colors(channels, name, points)
+    except ValueError:
+        return None
+
+
+def _usable_intensity(values: Any, name: str, points: int) -> Singles | None:
+    """The intensities that nobody asked for: a negative number is none."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu" or array.shape != (points,):
+        return None
+    return as_intensity(np.where(array < 0, np.nan, array.astype(np.float64)), name, points)
 
 
 def _unpacked(packed: NDArray[Any]) -> NDArray[np.uint8]:

@@ -11,7 +11,7 @@ import numpy as np
 from .arrays import Floats, as_transformation, as_vector
 from .cloud import Cloud
 from .mesh import MESH_POINTS, as_mesh_points
-from .options import make_settings
+from .options import make_settings, require_rigid
 from .points import as_points
 from .registration import register
 from .result import Result
@@ -97,6 +97,9 @@ class Localizer:
         **settings: Unpack[MethodSettings],
     ) -> None:
         make_settings(preset, {**settings}, seed=seed, threads=threads)  # type: ignore[dict-item]
+        require_rigid(settings)
+        if settings.get("use_colors") == "on":
+            raise ValueError('use_colors: expected "off" or "auto": the parts of a map have none')
         if {"guess_translation", "guess_rotation"} & settings.keys():
             raise TypeError("guess_translation, guess_rotation: give radius= and degrees= instead")
         self._mesh_points = as_mesh_points(mesh_points)

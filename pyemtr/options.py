@@ -112,6 +112,14 @@ def _plain_scale(changes: Mapping[str, Any]) -> Mapping[str, Any]:
     return {**changes, "scale": "bounded", "scale_minimum": low, "scale_maximum": high}
 
 
+def require_rigid(settings: Mapping[str, Any]) -> None:
+    """Raises ValueError where the settings search a scale: the poses of many scans are rigid."""
+    if settings.get("scale", "fixed") not in ("fixed", 1):
+        raise ValueError(
+            f"scale: expected clouds of one unit, got {settings['scale']!r}: the poses are rigid"
+        )
+
+
 def thread_setting(threads: int) -> int:
     """Checks the argument ``threads`` of calls without other settings; raises as above."""
     return int(make_settings("default", {}, threads=threads).get("threads"))

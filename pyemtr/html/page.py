@@ -54,8 +54,10 @@ def page_payload(
     called = _names(names, source, target)
     from_points = as_points(source, "source", mesh_points).astype(np.float64)
     to_points = as_points(target, "target", mesh_points).astype(np.float64)
-    shown = _block(from_points, "source", result.center_source, result, max_points)
-    fixed = _block(to_points, "target", result.center_target, result, max_points)
+    # The normalized frame's unit is the target's: the source's own is `scale` of it.
+    radius = result.normalization_scale
+    shown = _block(from_points, "source", result.center_source, radius / result.scale, max_points)
+    fixed = _block(to_points, "target", result.center_target, radius, max_points)
     poses = [result.transformation, *(other.transformation for other in result.alternatives)]
     return {
         "format": 1,
@@ -68,11 +70,7 @@ def page_payload(
     }
 
 
-def _block(
-    points: Floats, name: str, center: Floats, result: Result, max_points: int
-) -> PointBlock:
-    known = np.isfinite(result.transformation).all()  # else stopped before it was measured
-    radius = result.normalization_scale if known else np.nan
+def _block(points: Floats, name: str, center: Floats, radius: float, max_points: int) -> PointBlock:
     try:
         return point_block(points, center, radius, max_points)
     except ValueError as error:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..mesh import MESH_POINTS, as_mesh_points
-from ..options import make_settings, thread_setting
+from ..options import make_settings, require_rigid, thread_setting
 from .pairwise import register_pairs
 from .pose_graph import require_gtsam
 from .result import MultiwayResult
@@ -86,6 +86,7 @@ def align_all(
     if preset == "paper":
         raise ValueError('preset: "paper" has no confidence, which the choice of edges needs')
     make_settings(preset, {**settings}, seed=seed)  # type: ignore[dict-item]
+    require_rigid(settings)
     workers = thread_setting(threads) or os.cpu_count() or 1
     scans = Scans(clouds, names, as_mesh_points(mesh_points))
     report = _reporter(callback)

@@ -64,6 +64,8 @@ def other(name: str, kind: str, text: str) -> tuple[str, object]:
         return "2", 2
     if name == "scale_maximum":  # the least leaves nothing of the source beside the target
         return "2", 2
+    if name == "use_colors":  # "on" needs some
+        return "off", "off"
     if kind == "on|off":
         on = "default off" in text
         return ("on" if on else "off"), on

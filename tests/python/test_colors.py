@@ -162,3 +162,18 @@ def test_asked_for_colors_must_be_there() -> None:
         pyemtr.register(POINTS, POINTS, use_colors="on")
     with pytest.raises(ValueError, match="use_colors"):
         pyemtr.register(POINTS, POINTS, source_colors=COLORS, use_colors="on", refine=False)
+
+
+def test_numbers_beside_the_points_that_are_no_colors_are_none():
+    """Nobody asked for them: they change nothing and are no error."""
+    rng = np.random.default_rng(0)
+    points = rng.uniform(size=(300, 3))
+    table = {
+        "x": points[:, 0], "y": points[:, 1], "z": points[:, 2],
+        "r": rng.normal(size=300), "g": rng.normal(size=300), "b": rng.normal(size=300),
+        "intensity": rng.integers(-2048, 2048, 300),
+    }  # fmt: skip
+    array = np.zeros(300, dtype=[(name, "f8") for name in table])
+    for name, values in table.items():
+        array[name] = values
+    np.testing.assert_array_equal(pyemtr.Cloud(array).points, points)

@@ -149,3 +149,12 @@ def test_wrong_scans_and_guesses_are_named(ground) -> None:
         found.localize(ground[:500], np.eye(3))
     with pytest.raises(ValueError, match="radius: "):
         found.localize(ground[:500], np.eye(4), radius=-1)
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [({"scale": "free"}, "scale: expected"), ({"use_colors": "on"}, "use_colors: expected")],
+)
+def test_settings_that_a_map_cannot_have_are_refused(settings, words):
+    with pytest.raises(ValueError, match=words):
+        pyemtr.Localizer(np.random.default_rng(0).uniform(size=(100, 3)), **settings)

@@ -190,3 +190,9 @@ def test_the_result_tells_of_itself(result) -> None:
     value = result.to_dict()
     assert value["models"] == result.models and len(value["edges"]) == 21
     assert all(scan["pose"][0][0] is None for scan in value["scans"] if not scan["placed"])
+
+
+def test_clouds_of_different_units_are_refused():
+    clouds = [np.zeros((20, 3))] * 3
+    with pytest.raises(ValueError, match="scale: expected clouds of one unit"):
+        pyemtr.align_all(clouds, scale="free")

@@ -67,6 +67,55 @@ def test_bounds_and_a_known_factor(pair):
         assert result.registered and result.scale == pytest.approx(1.1, rel=0.005)
 
 
+def test_a_known_factor_is_kept_and_bounds_are_kept_to(pair):
+    assert pyemtr.register(pair.source / 1.1, pair.target, scale=1.102, **QUICK).scale == 1.102
+    result = pyemtr.register(pair.source / 1.1, pair.target, scale=(0.9, 1.095), **QUICK)
+    assert result.scale <= 1.095
+
+
+def test_a_far_away_source_is_found(pair):
+    far = pair.source + [4e5, 5e6, 100.0]  # map coordinates
+    result = pyemtr.register(far * 3, pair.target, scale="free", **QUICK)
+    assert result.registered and result.scale == pytest.approx(1 / 3, rel=0.005)
+    assert np.abs(result.apply(far * 3) - shapes.apply(pair.truth, pair.source)).max() < 0.05
+    np.testing.assert_allclose(result.center_source, (far * 3).mean(axis=0), rtol=1e-6)
+
+
+def test_a_prior_holds_at_the_scale_that_is_found(pair):
+    low, high = pair.truth[:3, 3] - 0.001, pair.truth[:3, 3] + 0.001
+    result = pyemtr.register(
+        pair.source / 7, pair.target, scale="free", translation_bounds=(low, high), **QUICK
+    )
+    assert result.registered and result.scale == pytest.approx(7, rel=0.01)
+    assert (low - 1e-9 <= result.translation).all() and (result.translation <= high + 1e-9).all()
+
+
+def test_its_page_shows_all_of_a_source_in_another_unit(pair, tmp_path):
+    result = pyemtr.register(1000 * pair.source, pair.target, scale="units", **QUICK)
+    result.to_html(tmp_path / "page.html", 1000 * pair.source, pair.target)
+    assert (tmp_path / "page.html").stat().st_size > 500_000
+
+
+def test_a_stopped_run_has_the_best_similarity_so_far(pair):
+    def stop(progress):
+        return progress.stage == "refinement"
+
+    result = pyemtr.register(pair.source / 37, pair.target, scale="free", callback=stop, **QUICK)
+    assert result.reason == "interrupted" and not result.registered
+    assert result.scale == pytest.approx(37, rel=0.03)
+
+
+def test_a_unit_by_correspondences_is_exact(pair):
+    rows = np.random.default_rng(0).permutation(len(pair.source))[:50]
+    points = pair.source[rows]
+    match = np.stack([np.arange(50)] * 2, axis=1)
+    result = pyemtr.register(
+        1000 * points, shapes.apply(pair.truth, points), correspondences=match, scale="units",
+        **QUICK,
+    )  # fmt: skip
+    assert result.registered and result.scale == 1 / 1000
+
+
 def test_a_unit_is_told_exactly(pair):
     result = pyemtr.register(1000 * pair.source, pair.target, scale="units", **QUICK)
     assert result.registered and result.scale == 1 / 1000

@@ -58,7 +58,7 @@ void search_unconstrained(const Problem& problem, const Solution& found, Poses& 
     for (const Rigid& start : starts) {
       const FoundByColor more = search_by_color(found.colors->levels, FreeMotions(spectrum, start),
                                                 problem.prior.get(), kMostFound, team);
-      out.poses.insert(out.poses.end(), more.poses.begin(), more.poses.end());
+      for (const Rigid& pose : more.poses) out.poses.push_back(admissible_pose(problem, pose));
       out.looked_at += more.looked_at;
     }
   });

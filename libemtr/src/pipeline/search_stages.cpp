@@ -34,6 +34,7 @@ void take_best_candidate(const Problem& problem, Solution& found) {
   found.used_colors = false;
   const std::vector<Candidate>& ranked = found.candidates->ranked();
   found.pose = ranked.front().pose;
+  found.color_evidence.reset();
   believe(problem, ranked, found);
 }
 

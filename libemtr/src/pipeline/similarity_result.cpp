@@ -49,6 +49,7 @@ SimilarityFit refine_similarity(const Problem& problem, const Solution& found) {
 void write_similarity(const Problem& problem, const Solution& found, double scale,
                       const SimilarityFit& fit, bool scale_is_exact, Result& result) {
   result.scale = found.pose ? scale : kUnknown;
+  for (double& c : result.center_source) c /= scale;
   scale_rotation(scale, result.transformation);
   for (emtr_alternative& other : result.others) scale_rotation(scale, other.transformation);
   if (!fit.succeeded) return;
@@ -93,7 +94,7 @@ void add_rival_scales(const std::vector<ScaleHypothesis>& rivals, double score,
   result.alternatives = result.others.data();
   result.alternative_count = result.others.size();
   result.score_gap = result.score - result.others.front().score;
-  if (result.confidence < settings.minimum_confidence) return;
+  if (!(result.confidence >= settings.minimum_confidence)) return;
   result.confidence = lower_for_rival(result.confidence);
   result.registered = result.confidence >= settings.minimum_confidence;
   if (!result.registered) result.reason = EMTR_REASON_AMBIGUOUS;

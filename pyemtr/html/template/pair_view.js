@@ -37,13 +37,16 @@ class PairView extends Scene {
   /// The source's pose on its way: its center moves straight while it rotates.
   between(matrix, share) {
     const whole = new THREE.Matrix4().set(...matrix.flat());
-    const rotation = new THREE.Quaternion().setFromRotationMatrix(whole);
+    const rotation = new THREE.Quaternion(), size = new THREE.Vector3();
+    whole.decompose(new THREE.Vector3(), rotation, size);
+    const scale = 1 + (size.x - 1) * share;
     const part = new THREE.Quaternion().slerp(rotation, share);
     const center = new THREE.Vector3(...this.payload.report.normalization.center_source);
     const moved = center.clone().lerp(center.clone().applyMatrix4(whole), share);
     const back = new THREE.Matrix4().makeTranslation(-center.x, -center.y, -center.z);
     return new THREE.Matrix4().makeTranslation(moved.x, moved.y, moved.z)
-      .multiply(new THREE.Matrix4().makeRotationFromQuaternion(part)).multiply(back);
+      .multiply(new THREE.Matrix4().makeRotationFromQuaternion(part))
+      .multiply(new THREE.Matrix4().makeScale(scale, scale, scale)).multiply(back);
   }
 
   choose(index) {

@@ -35,7 +35,9 @@ Json up_of(const emtr_settings& settings) {
 std::string html_page(const Options& options, const CloudFile& source, const CloudFile& target,
                       const emtr_result& result, const Json& report) {
   const double radius = result.normalization_scale;
-  const PointBlock moving = point_block(source, result.center_source, radius, kShown);
+  // The normalized frame's unit is the target's: the source's own is `scale` of it.
+  const PointBlock moving =
+      point_block(source, result.center_source, radius / result.scale, kShown);
   const PointBlock fixed = point_block(target, result.center_target, radius, kShown);
   const Json payload = {{"format", 1},
                         {"title", ""},

@@ -98,7 +98,9 @@ bool read_separate(const CloudFile& cloud, std::vector<float>& colors) {
 }  // namespace
 
 void attach_colors(const CloudFile& cloud, emtr_cloud& view, ColorFields& copy) {
-  if (read_packed(cloud, copy.colors) || read_separate(cloud, copy.colors))
+  const auto lit = [](float v) { return v > 0; };  // LAS has black where nobody set the colors
+  if ((read_packed(cloud, copy.colors) || read_separate(cloud, copy.colors)) &&
+      std::any_of(copy.colors.begin(), copy.colors.end(), lit))
     view.colors = copy.colors.data();
   const Field* intensity = find(cloud, "intensity");
   if (!intensity) return;
