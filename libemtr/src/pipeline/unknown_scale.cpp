@@ -12,6 +12,7 @@
 #include "pipeline/solve.h"
 #include "settings/choices.h"
 #include "util/held_stage.h"
+#include "verdict/confidence.h"
 
 namespace emtr {
 namespace {
@@ -56,8 +57,9 @@ class UnknownScale {
       first->registered = first->registered && !token_.cancelled();
       second = std::move(first);
     }
-    return second->registered || token_.cancelled() ? std::move(second)
-                                                    : try_likely(std::move(second));
+    if (!second->registered && !token_.cancelled()) second = try_likely(std::move(second));
+    doubt(*second);
+    return second;
   }
 
  private:
@@ -108,6 +110,15 @@ class UnknownScale {
       ++tries;
     }
     return surest;
+  }
+
+  /// Lowers the confidence of what was found by a search of all scales.
+  void doubt(Result& result) const {
+    if (!(result.confidence > 0)) return;
+    result.confidence = lower_for_many_scales(result.confidence);
+    if (!result.registered || result.confidence >= settings_.minimum_confidence) return;
+    result.registered = 0;
+    result.reason = EMTR_REASON_LOW_OVERLAP;
   }
 
   std::unique_ptr<Result> run_by_matches() {

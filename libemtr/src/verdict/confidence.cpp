@@ -20,6 +20,8 @@ constexpr double kRivalShareFromOnePlace = 0.3;
 // poses of real scans next to none has one.
 constexpr double kCleanRivalShare = 0.45, kCleanPrecision = 0.92, kCleanViolation = 0.006;
 constexpr double kRivalFactor = 0.4, kFewPointsFactor = 0.4, kChangedFactor = 0.1;
+// Of the odds: one of 40 pairs of scans that do not belong together had 0.63 at some scale.
+constexpr double kManyScalesFactor = 0.5;
 // How much better a changed source must fit: a scene that is its own mirror image fits as well.
 constexpr double kBetterShare = 1.15, kBetterBy = 0.02;
 // 95 of 100 right poses have more of the weight than this share of the points.
@@ -113,6 +115,11 @@ Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t
 }
 
 double lower_for_rival(double probability) { return rounded(kRivalFactor * probability); }
+
+double lower_for_many_scales(double probability) {
+  const double odds = kManyScalesFactor * probability / (1 - probability);
+  return rounded(odds / (1 + odds));
+}
 
 void weigh_changed_source(const Candidate& best, double mirrored, const Rescaled& rescaled,
                           Confidence& confidence) {

@@ -38,6 +38,10 @@ Confidence estimate_confidence(const std::vector<Candidate>& ranked, std::size_t
 /// Returns the probability when another answer is as good that was found elsewhere.
 double lower_for_rival(double probability);
 
+/// Returns the probability when the pose was looked for at many scales: the more are looked at, the
+/// more often a wrong one fits as well.
+double lower_for_many_scales(double probability);
+
 /// Lowers the probability when the source fits better mirrored or at another scale: then no rigid
 /// motion is right. `mirrored`: its best score.
 void weigh_changed_source(const Candidate& best, double mirrored, const Rescaled& rescaled,

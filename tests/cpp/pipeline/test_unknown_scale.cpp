@@ -11,6 +11,7 @@
 #include "refinement/shapes.h"
 #include "settings/settings.h"
 #include "support/clouds.h"
+#include "verdict/confidence.h"
 
 namespace {
 
@@ -145,6 +146,12 @@ TEST(UnknownScale, StopsWhenAsked) {
     EXPECT_FALSE(result->registered);
     EXPECT_EQ(result->reason, EMTR_REASON_INTERRUPTED) << stage;
   }
+}
+
+TEST(UnknownScale, ASearchOfAllScalesHalvesTheOdds) {
+  EXPECT_NEAR(emtr::lower_for_many_scales(0.5), 1.0 / 3, 1e-6);
+  EXPECT_NEAR(emtr::lower_for_many_scales(0.628), 0.4577, 1e-3);
+  EXPECT_GT(emtr::lower_for_many_scales(0.999), 0.997);
 }
 
 TEST(ScaleRange, KeepsToTheUsersBounds) {
