@@ -20,7 +20,7 @@ constexpr double kRivalShareFromOnePlace = 0.3;
 // poses of real scans next to none has one.
 constexpr double kCleanRivalShare = 0.45, kCleanPrecision = 0.92, kCleanViolation = 0.006;
 constexpr double kRivalFactor = 0.4, kFewPointsFactor = 0.4, kChangedFactor = 0.1;
-// Of the odds: one of 40 pairs of scans that do not belong together had 0.63 at some scale.
+// Factor of the odds: one of 40 pairs that do not belong together had 0.63 at some scale.
 constexpr double kManyScalesFactor = 0.5;
 // How much better a changed source must fit: a scene that is its own mirror image fits as well.
 constexpr double kBetterShare = 1.15, kBetterBy = 0.02;
