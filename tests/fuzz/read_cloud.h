@@ -59,7 +59,7 @@ inline void read_cloud(const std::string& extension, const std::uint8_t* data, s
   const Eigen::Matrix4d quarter_rotation =
       (Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ()))
           .matrix();
-  cli::move_cloud(cloud, quarter_rotation);
+  cli::move_cloud(cloud, quarter_rotation, 1);
   write_and_read(cloud, scratch.path("out.pcd"));
   write_and_read(cloud, scratch.path("out.ply"));
   write_and_read(cloud, scratch.path("out.obj"));
