@@ -167,6 +167,7 @@ void resolve_by_colors(const Problem& problem, Solution& found) {
         refine_all(problem, found, select(found.colors->levels.middle(), poses.poses, team), team);
   });
   std::vector<ColoredCandidate> candidates;
+  candidates.reserve(refined.size());
   for (const Refinement& one : refined) candidates.push_back(one.candidate);
   const std::size_t looked_at = poses.looked_at + poses.poses.size();
   const ColorVerdict verdict = judge_by_colors(candidates, looked_at);

@@ -35,6 +35,15 @@ Settings quick(Settings settings) {
   return settings;
 }
 
+/// Returns octaves from one end of the range to the other.
+std::vector<double> even_steps(const ScaleRange& range, double step) {
+  const auto count = static_cast<std::size_t>(std::ceil((range.highest - range.lowest) / step));
+  std::vector<double> out(count + 1);
+  for (std::size_t i = 0; i <= count; ++i)
+    out[i] = std::min(range.lowest + static_cast<double>(i) * step, range.highest);
+  return out;
+}
+
 std::unique_ptr<Neighbors> near_source(const SurfacePair& surfaces, const Kernels& kernels) {
   const auto leaf = static_cast<float>(surfaces.source().leaf);
   const auto radius = static_cast<float>(coarse_refinement().first_scale) * leaf;
@@ -68,11 +77,9 @@ void ScaleSearch::search_near() {
 }
 
 void ScaleSearch::search_everywhere() {
-  for (double x = range_.lowest; x < range_.highest + kMatchingStep; x += kMatchingStep)
-    match_at(std::min(x, range_.highest));
+  for (const double x : even_steps(range_, kMatchingStep)) match_at(x);
   search_at_peaks(kPeaksEverywhere);
-  for (double x = range_.lowest; x < range_.highest + kSearchStep; x += kSearchStep)
-    search_at(range_.scale(std::min(x, range_.highest)));
+  for (const double x : even_steps(range_, kSearchStep)) search_at(range_.scale(x));
 }
 
 /// Has task gamma hear the matches of the source at this scale.

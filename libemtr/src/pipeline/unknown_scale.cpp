@@ -36,6 +36,8 @@ class UnknownScale {
         token_(token),
         seconds_(seconds),
         range_(scale_range(*source.preprocessed, *target.preprocessed, settings)),
+        // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject): the settings are
+        // whole
         search_(source, target, range_, settings, token) {}
 
   std::unique_ptr<Result> run() {
@@ -161,7 +163,7 @@ class UnknownScale {
   std::optional<ScaleHypothesis> best() const {
     for (const ScaleHypothesis& hypothesis : search_.ranked()) {
       if (!is_unit()) return rescaled(hypothesis, within_bounds(hypothesis.similarity.scale));
-      if (const auto found = at_unit(hypothesis)) return found;
+      if (auto found = at_unit(hypothesis)) return found;
     }
     return std::nullopt;
   }

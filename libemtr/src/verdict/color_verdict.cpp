@@ -33,6 +33,7 @@ ColorVerdict judge_by_colors(const std::vector<ColoredCandidate>& candidates,
   double best_score = 0;
   for (const ColoredCandidate& c : candidates) best_score = std::max(best_score, c.candidate.score);
   std::vector<double> likelihood;
+  likelihood.reserve(candidates.size());
   for (const ColoredCandidate& c : candidates) likelihood.push_back(log_likelihood(c, best_score));
   const auto best = std::max_element(likelihood.begin(), likelihood.end());
   out.best = static_cast<std::size_t>(best - likelihood.begin());
