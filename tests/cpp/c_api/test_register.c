@@ -292,7 +292,7 @@ static void seed_threads_guess(const bumpy_pair* pair, const emtr_result* whole)
 static void residuals(const bumpy_pair* pair, const emtr_result* result) {
   const emtr_cloud source = cloud_of(pair->source, pair->count);
   const emtr_cloud target = cloud_of(pair->target, pair->count);
-  const double scaling[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
+  const double stretching[16] = {2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   double *here = malloc(pair->count * sizeof *here), *back = malloc(pair->count * sizeof *back);
   size_t i, near = 0;
   if (!here || !back) exit(1);
@@ -305,7 +305,7 @@ static void residuals(const bumpy_pair* pair, const emtr_result* result) {
   CHECK_OK(emtr_residuals(&source, &target, NULL, 0, NULL, NULL));
   CHECK_ERROR(emtr_residuals(NULL, &target, NULL, 0, here, NULL), EMTR_ERROR_ARGUMENT, "source");
   CHECK_ERROR(emtr_residuals(&source, NULL, NULL, 0, here, NULL), EMTR_ERROR_ARGUMENT, "target");
-  CHECK_ERROR(emtr_residuals(&source, &target, scaling, 0, here, NULL), EMTR_ERROR_ARGUMENT,
+  CHECK_ERROR(emtr_residuals(&source, &target, stretching, 0, here, NULL), EMTR_ERROR_ARGUMENT,
               "transformation");
   CHECK_ERROR(emtr_residuals(&source, &target, NULL, -1, here, NULL), EMTR_ERROR_SETTING,
               "threads");

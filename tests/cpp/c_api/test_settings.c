@@ -6,11 +6,11 @@
 #include "check.h"
 
 static void texts(void) {
-  static const char* const names[] = {"registered",  "low_overlap", "ambiguous",
-                                      "few_matches", "interrupted", "degenerate",
-                                      "time_limit",  "mirrored",    "scale"};
+  static const char* const names[] = {"registered",  "low_overlap", "ambiguous",  "few_matches",
+                                      "interrupted", "degenerate",  "time_limit", "mirrored",
+                                      "scale",       "free_scale"};
   static const char* const stages[] = {
-      "normalization", "downsampling", "features",        "matching",   "seeds",
+      "normalization", "scale_search", "downsampling",    "features",   "matching", "seeds",
       "evolution",     "candidates",   "fallback_search", "refinement", "verdict"};
   char version[32];
   int i;
@@ -19,12 +19,12 @@ static void texts(void) {
   CHECK(strcmp(emtr_version(), version) == 0);
   for (i = EMTR_OK; i <= EMTR_ERROR_INTERRUPTED; ++i)
     CHECK(emtr_status_text((emtr_status)i) && *emtr_status_text((emtr_status)i));
-  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_SCALE; ++i) {
+  for (i = EMTR_REASON_REGISTERED; i <= EMTR_REASON_FREE_SCALE; ++i) {
     CHECK(strcmp(emtr_reason_name((emtr_reason)i), names[i]) == 0);
     CHECK(emtr_reason_text((emtr_reason)i) && *emtr_reason_text((emtr_reason)i));
   }
-  for (i = 0; i < 10; ++i) CHECK(strcmp(emtr_stage_name((size_t)i), stages[i]) == 0);
-  CHECK(emtr_stage_name(10) == NULL);
+  for (i = 0; i < 11; ++i) CHECK(strcmp(emtr_stage_name((size_t)i), stages[i]) == 0);
+  CHECK(emtr_stage_name(11) == NULL);
   CHECK(emtr_status_text((emtr_status)99) != NULL);
   CHECK(emtr_reason_text((emtr_reason)99) != NULL);
   CHECK(strcmp(emtr_reason_name((emtr_reason)99), "unknown") == 0);
