@@ -33,6 +33,10 @@ class CCloud(ctypes.Structure):
         ("feature_dimension", ctypes.c_size_t),
         ("feature_stride", ctypes.c_size_t),
         ("keep_points", ctypes.c_int32),
+        ("colors", ctypes.c_void_p),
+        ("color_stride", ctypes.c_size_t),
+        ("intensities", ctypes.c_void_p),
+        ("intensity_stride", ctypes.c_size_t),
     )
 
 

@@ -36,8 +36,7 @@ class UnknownScale {
         token_(token),
         seconds_(seconds),
         range_(scale_range(*source.preprocessed, *target.preprocessed, settings)),
-        // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject): the settings are
-        // whole
+        // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject): none is
         search_(source, target, range_, settings, token) {}
 
   std::unique_ptr<Result> run() {

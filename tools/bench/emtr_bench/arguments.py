@@ -6,8 +6,8 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from . import unknown_scale
 from .pair_arguments import WHERE, add_pair_options
+from .searched_scales import SEARCHED
 
 if TYPE_CHECKING:  # the command line is read before it is known that numpy is there
     from .runner import Setting
@@ -53,7 +53,7 @@ def parser(program: str = "accuracy") -> argparse.ArgumentParser:
     )
     add(
         "--scale",
-        choices=unknown_scale.SEARCHED,
+        choices=SEARCHED,
         default="",
         help="give each source another scale, and have it searched: free: 0.02 to 50 and 1000; "
         "bounded: 0.8 to 1.25; units: a factor between units. Right then means within 3 percent "

@@ -51,7 +51,7 @@ def load(pair: Pair) -> Clouds:
     source, target = (read_ply(pair.folder / name) for name in FILES[:2])
     path = pair.folder / FILES[2]
     scale, T_gt = split(read_matrix(path))
-    if abs(scale - 1.0) < 1e-3:
+    if scale <= 0 or abs(scale - 1.0) < 1e-3:
         return Clouds(source, target, read_transformation(path))
     return Clouds(scale * source, target, nearest_rigid(T_gt, path))
 

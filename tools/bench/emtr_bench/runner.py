@@ -40,7 +40,7 @@ class Options:
     settings: dict[str, Setting] = field(default_factory=dict)
     viewpoints: bool = False  # tell where the sensors stood, of the pairs where it is known
     prior: str = ""  # one of priors.PRIORS: tell something true of the pose
-    scale: str = ""  # one of unknown_scale.SEARCHED: give the source another scale
+    scale: str = ""  # one of searched_scales.SEARCHED: give the source another scale
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-#: What is searched (the library's setting), and the bounds of the factors that are drawn.
-SEARCHED = ("free", "bounded", "units")
+#: Bounds of the factors that are drawn.
 FREE, BOUNDED = (0.02, 50.0), (0.8, 1.25)
 THOUSAND_EACH = 7  # one of so many motions has the factor between millimeters and meters
 UNITS = (1.0, 10.0, 12.0, 25.4, 100.0, 304.8, 1000.0)
