@@ -224,7 +224,9 @@ def test_help_ends_with_0(capsys):
 )
 def test_the_script_says_how_to_get_what_it_lacks(script, missing, tmp_path):
     # A copy elsewhere finds no build/venv to go on with; -S hides what is installed.
-    names = ("__init__", "arguments", "interpreter", "locations", "pair_arguments")
+    names = (
+        "__init__", "arguments", "interpreter", "locations", "pair_arguments", "searched_scales",
+    )  # fmt: skip
     for part in (script, *(f"bench/emtr_bench/{name}.py" for name in names)):
         copy = tmp_path / "tools" / part
         copy.parent.mkdir(parents=True, exist_ok=True)
