@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "geometry/cloud.h"
 #include "preprocessing/color_reader.h"
@@ -19,6 +20,12 @@ struct Channels {
 };
 
 constexpr int kChannels = 3;
+
+/// Returns one channel of all entries.
+inline const std::vector<float>& channel(const Cloud& cloud, int k) {
+  return k == 0 ? cloud.x : k == 1 ? cloud.y : cloud.z;
+}
+
 constexpr float kFarthestColor = 4;  ///< standard deviations
 
 /// Makes channels of what ColorReader reads of the points of both clouds. Of intensities it takes

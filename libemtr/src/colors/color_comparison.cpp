@@ -15,10 +15,6 @@ Cloud fine_colors(const Cloud& points, const PreprocessedCloudPtr& from, double 
   return mean_colors(points, from->colors, static_cast<float>(leaf));
 }
 
-const std::vector<float>& channel(const Cloud& cloud, int k) {
-  return k == 0 ? cloud.x : k == 1 ? cloud.y : cloud.z;
-}
-
 /// Tells whether neighbors are alike, at this leaf or at coarser ones: stripes as narrow as the
 /// leaf are not, but their mean differs from what is beside them. Means of noise are noise.
 bool is_coherent(const Cloud& points, const Cloud& colors, int k, double leaf) {

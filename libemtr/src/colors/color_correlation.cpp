@@ -134,10 +134,6 @@ ColorCorrelation::ColorCorrelation(const Cloud& source, const Cloud& target, Cha
   }
 }
 
-const std::vector<float>& ColorCorrelation::channel(const Cloud& cloud, int k) const {
-  return k == 0 ? cloud.x : k == 1 ? cloud.y : cloud.z;
-}
-
 std::size_t ColorCorrelation::match(const Rigid& pose, Scratch& s) const {
   const std::size_t n = queries_.size();
   if (s.index.size() < n) {

@@ -47,7 +47,6 @@ class ColorCorrelation {
 
  private:
   std::size_t match(const Rigid& pose, Scratch& scratch) const;
-  const std::vector<float>& channel(const Cloud& cloud, int k) const;
   double most_effective() const;
 
   const Kernels& kernels_;

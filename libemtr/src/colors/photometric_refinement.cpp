@@ -102,10 +102,6 @@ double noise(const std::vector<ColorPair>& pairs, const Exposure& exposure) {
   return std::max({1.4826 * *middle, 0.5 * rms, kLeastNoise});
 }
 
-const std::vector<float>& channel(const Cloud& cloud, int k) {
-  return k == 0 ? cloud.x : k == 1 ? cloud.y : cloud.z;
-}
-
 /// The color of each pair's source point, and that of the target's plane where it moves to.
 std::vector<ColorPair> color_pairs(const std::vector<MovedPair>& pairs, const ColorField& source,
                                    const ColorField& target, const SurfacePoint* points, int k) {
