@@ -5,6 +5,7 @@
 #include "kernels/kernels.h"
 #include "pipeline/problem.h"
 #include "pipeline/progress.h"
+#include "pipeline/rival_results.h"
 #include "pipeline/scale_search.h"
 #include "pipeline/small_in_large.h"
 #include "pipeline/solve.h"
@@ -87,6 +88,17 @@ bool is_surer(const std::unique_ptr<Result>& a, const std::unique_ptr<Result>& b
   return a && (!b || a->confidence > b->confidence);
 }
 
+/// Counts what was found in one way among the answers of the other.
+void weigh_each_other(const Run& run, Result* parts, Result* whole) {
+  if (!parts || !whole) return;
+  const PreprocessedCloud &source = *run.source.preprocessed, &target = *run.target.preprocessed;
+  const bool small_is_source = source.radius < target.radius;
+  const SmallCloud small{small_is_source ? source : target, small_is_source};
+  const Result alone = *parts;
+  weigh_rivals({whole}, small, run.settings.minimum_confidence, *parts);
+  weigh_rivals({&alone}, small, run.settings.minimum_confidence, *whole);
+}
+
 /// Registers in both ways, unless the first one convinces, and returns the surer result.
 std::unique_ptr<Result> register_both_ways(Run& run, Sizes sizes) {
   const auto convinces = [&](const std::unique_ptr<Result>& result) {
@@ -100,6 +112,7 @@ std::unique_ptr<Result> register_both_ways(Run& run, Sizes sizes) {
   whole = parts ? register_whole_if_possible(run) : register_whole(run);
   if (convinces(whole)) return whole;
   if (sizes == Sizes::Different) parts = register_parts(run);
+  weigh_each_other(run, parts.get(), whole.get());
   return is_surer(parts, whole) ? std::move(parts) : std::move(whole);
 }
 

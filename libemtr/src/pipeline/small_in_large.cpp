@@ -5,14 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/pose_distance.h"
 #include "pipeline/problem.h"
+#include "pipeline/rival_results.h"
 #include "pipeline/scene_parts.h"
 #include "pipeline/solve.h"
 #include "settings/choices.h"
 #include "util/error.h"
 #include "util/held_stage.h"
-#include "verdict/confidence.h"
 
 namespace emtr {
 namespace {
@@ -41,11 +40,6 @@ class PartRegistration {
     }
   }
 
-  /// Tells whether two results move the small cloud to the same place: two parts can share it.
-  bool are_same(const Result& a, const Result& b) const {
-    return is_same_pose(moved(a), moved(b), kDistinctPose);
-  }
-
  private:
   std::vector<Rigid> poses_of(const ScenePart& part, const Problem& problem) const {
     std::vector<Rigid> out;
@@ -55,37 +49,10 @@ class PartRegistration {
     return out;
   }
 
-  Rigid moved(const Result& result) const {
-    const PreprocessedCloud& small = *small_.preprocessed;
-    Rigid pose = from_matrix(result.transformation);
-    if (!small_is_source_) pose = pose.inverse();
-    pose.t = (pose * Eigen::Vector3d::Map(small.center)) / small.radius;
-    return pose;
-  }
-
   const InputCloud& small_;
   const bool small_is_source_;
   CancellationToken& token_;
 };
-
-bool stopped(const Result& result) {
-  return result.reason == EMTR_REASON_INTERRUPTED || result.reason == EMTR_REASON_TIME_LIMIT;
-}
-
-/// Adds an equally good pose in another part to the alternatives: the object may be there twice.
-void add_rival(const Result& rival, Result& best) {
-  emtr_alternative& out = best.others.emplace_back();
-  std::copy_n(rival.transformation, 16, out.transformation);
-  out.score = std::min(rival.score, best.score);
-  out.surface_fit = rival.surface_fit;
-  out.violation = rival.violation;
-  out.evidence = rival.evidence;
-  std::stable_sort(best.others.begin(), best.others.end(),
-                   [](const auto& a, const auto& b) { return a.score > b.score; });
-  best.alternatives = best.others.data();
-  best.alternative_count = best.others.size();
-  best.score_gap = best.score - best.others.front().score;
-}
 
 /// Speaks of the whole large cloud instead of its part.
 void speak_of_whole(const PreprocessedCloud& large, bool small_is_source, Result& out) {
@@ -113,7 +80,7 @@ std::unique_ptr<Result> register_at_guess(const Scene& scene, const PartRegistra
 /// Registers the small cloud with all parts, and takes the others' poses for rivals of the best.
 std::unique_ptr<Result> register_in_parts(const std::vector<ScenePart>& parts,
                                           const PartRegistration& registered,
-                                          const Settings& settings) {
+                                          const SmallCloud& small, const Settings& settings) {
   Settings quick = settings;
   quick.fallback_search = EMTR_OFF;
   std::vector<std::unique_ptr<Result>> others;
@@ -129,21 +96,13 @@ std::unique_ptr<Result> register_in_parts(const std::vector<ScenePart>& parts,
     if (result) others.push_back(std::move(result));
   }
   if (!best) return nullptr;
-  if (!stopped(*best) && best->confidence < settings.fallback_confidence) {
-    auto again = registered(*best_part, settings);
-    if (again->confidence > best->confidence) best = std::move(again);
+  if (!is_stopped(*best) && best->confidence < settings.fallback_confidence) {
+    auto again = registered(*best_part, settings);  // finds all that the quick run did, and more
+    if (!is_stopped(*again)) best = std::move(again);
   }
-  bool rivaled = false;
-  for (const auto& other : others)
-    if (is_rival_score(other->score, best->score) && !registered.are_same(*other, *best)) {
-      add_rival(*other, *best);
-      rivaled = true;
-    }
-  if (rivaled && best->reason != EMTR_REASON_AMBIGUOUS) {
-    best->confidence = lower_for_rival(best->confidence);
-    best->registered = best->confidence >= settings.minimum_confidence;
-    if (!best->registered) best->reason = EMTR_REASON_AMBIGUOUS;
-  }
+  std::vector<const Result*> rivals;
+  for (const auto& other : others) rivals.push_back(other.get());
+  weigh_rivals(rivals, small, settings.minimum_confidence, *best);
   return best;
 }
 
@@ -171,7 +130,9 @@ std::unique_ptr<Result> register_small_in_large(const InputCloud& source, const 
   const Scene scene(small, large);
   const PartRegistration registered(small, small_is_source, token);
   auto best = register_at_guess(scene, registered, small_is_source, settings);
-  if (!best) best = register_in_parts(scene.find_parts(settings), registered, settings);
+  if (!best)
+    best = register_in_parts(scene.find_parts(settings), registered,
+                             {*small.preprocessed, small_is_source}, settings);
   if (best) speak_of_whole(*large.preprocessed, small_is_source, *best);
   return best;
 }
