@@ -16,6 +16,7 @@ namespace {
 // Octaves. Of right matches at the right scale a third is lost at a quarter octave beside it, and
 // two thirds at half an octave; a pose is found up to a quarter beside.
 constexpr double kMatchingStep = 0.5, kSearchStep = 0.25;
+constexpr double kNarrow = 0.7;  // of such a range the middle has half of the matches anywhere
 constexpr double kSearched = 0.04;  // a scale so near to one that was looked at is not looked at
 constexpr std::size_t kPeaksNear = 3, kPeaksEverywhere = 6;
 constexpr std::size_t kPosesOfScale = 2;
@@ -71,6 +72,11 @@ ScaleSearch::ScaleSearch(const InputCloud& source, const InputCloud& target,
       gamma_(range.lowest, range.highest) {}
 
 void ScaleSearch::search_near() {
+  if (range_.highest - range_.lowest <= kNarrow) {
+    match_at((range_.lowest + range_.highest) / 2);
+    search_at_peaks(1);
+    return;
+  }
   for (const double octaves : {0.0, -kMatchingStep, kMatchingStep})
     match_at(std::clamp(octaves, range_.lowest, range_.highest));
   search_at_peaks(kPeaksNear);
