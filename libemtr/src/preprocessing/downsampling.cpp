@@ -132,10 +132,10 @@ class Downsampler {
   }
 
   /// Tells by the dimension log2 N(l) / N(2 l) of a cloud at the leaf l, where N counts the
-  /// occupied voxels: about 2 for a surface, 1 for curves. A cloud that is less than a curve at
-  /// half the leaf is just sparse.
+  /// occupied voxels: about 2 for a surface, 1 for curves. A cloud that is far less than a curve at
+  /// half the leaf is just sparse. Few points along a ring make less than a curve too, but not far.
   bool lies_along_curves(int side, double leaf) {
-    constexpr double kCurve = 1.68, kSurface = 2.64;  // 2^0.75, 2^1.4
+    constexpr double kCurve = 1.414, kSurface = 2.64;  // 2^0.5, 2^1.4
     check_cancelled();
     const auto voxels = [&](double at) {
       return static_cast<double>(counters_[side](static_cast<float>(at)));

@@ -21,7 +21,9 @@ constexpr double kFarRadii[] = {1.26, 2.34, 4.33, 8};
 constexpr std::size_t kNearDirections = 50, kFarDirections = 100;
 constexpr int kFilterBits = 16;        // of the voxels that are looked for
 constexpr double kFinestStep = 0.005;  // radii
-constexpr double kAsGood = 0.02;       // of a correlation
+// Of the best correlation. Scanners at the origin have 0.85 and more there, those of few rings the
+// least; an origin that is elsewhere has below 0.8.
+constexpr double kAsGood = 0.85;
 constexpr double kNoTrust = 0.05, kFullTrust = 0.3;
 constexpr double kClearlyBetter = 0.05;  // of a correlation, than from the other side
 
@@ -211,7 +213,7 @@ Viewpoint estimate_sampling_viewpoint(const Surface& surface, const Cloud& cloud
   for (const double radius : kFarRadii) look_around(best, kFarDirections, radius);
   improve(best);
   const double from_origin = sampling.correlation(origin);
-  if (from_origin > best.correlation - kAsGood) {
+  if (from_origin > kAsGood * best.correlation) {
     std::copy_n(origin, 3, best.at.begin());
     best.correlation = from_origin;
   }

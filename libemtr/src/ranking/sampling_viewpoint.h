@@ -10,7 +10,7 @@ namespace emtr {
 /// inside and around the cloud, the one is taken whose prediction correlates best with the points
 /// in the voxels of the surface, and improved by steps along the axes. `cloud`: the points before
 /// downsampling to the surface's leaf. `origin`: the origin of the user's coordinates, where most
-/// scanners put themselves; it is tried too, and preferred where it does as well.
+/// scanners put themselves; it is tried too, and preferred where it does nearly as well.
 ///
 /// The trust grows from 0 at a correlation of 0.05 to 1 at 0.3. Clouds that were fused from several
 /// scans or sampled evenly stay below 0.2. It falls to 0 where a place outside of the cloud does no

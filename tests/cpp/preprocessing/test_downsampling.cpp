@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "neighbors/resolution.h"
 #include "preprocessing/downsampling.h"
 #include "support/clouds.h"
+#include "support/lidar_street.h"
 #include "util/error.h"
 
 namespace {
@@ -55,6 +58,23 @@ TEST(DownsampledClouds, KeepTheLeafAboveTheSpacingOfTheSparserCloud) {
     const auto normalized = emtr::normalize(sparse.source(), dense.target(), 1);
     const auto d = emtr::downsample(normalized, emtr::preset("paper"));
     EXPECT_GE(d.leaf_dense, 1.49 * emtr::mean_resolution(normalized.source)) << points;
+  }
+}
+
+TEST(DownsampledClouds, GrowTheLeafWhereACloudIsRingsHoweverFewTheirPoints) {
+  for (const int steps : {900, 1800}) {
+    const emtr::Cloud street = emtr_test::scan_street(steps).points;
+    std::vector<float> rows;
+    for (std::size_t i = 0; i < street.size(); ++i)
+      rows.insert(rows.end(), {street.x[i], street.y[i], street.z[i]});
+    const emtr_cloud cloud{rows.data(), street.size(), 0, EMTR_FLOAT32};
+    const auto pair = emtr::normalize(cloud, cloud, 1);
+    const auto leaf = [&](double growth) {
+      emtr::Settings settings = emtr::preset("default");
+      emtr::set(settings, "maximum_leaf_growth", growth);
+      return emtr::downsample(pair, settings).leaf_dense;
+    };
+    EXPECT_GT(leaf(4), 2 * leaf(1)) << steps;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "geometry/euler.h"
 #include "ranking/sampling_viewpoint.h"
 #include "ranking/surfaces.h"
+#include "support/lidar_street.h"
 
 namespace {
 
@@ -80,6 +81,37 @@ TEST(SamplingViewpoint, IsTheOriginWhereThatDoesAsWell) {
   const Viewpoint found =
       estimate_sampling_viewpoint(scan.surface, scan.cloud, near, emtr::select_kernels());
   for (std::size_t a = 0; a < 3; ++a) EXPECT_EQ(found.at[a], near[a]);
+}
+
+/// The points, and one of them in each voxel.
+Scan scan_street() {
+  const emtr_test::StreetScan street = emtr_test::scan_street(900);
+  Scan out;
+  out.cloud = street.points;
+  out.surface.leaf = 0.01;
+  std::set<std::array<int, 3>> taken;
+  for (std::size_t i = 0; i < street.points.size(); ++i) {
+    const Vector p = emtr_test::point(street.points, i);
+    std::array<int, 3> cell{};
+    for (std::size_t a = 0; a < 3; ++a)
+      cell[a] = static_cast<int>(std::floor(p[a] / out.surface.leaf));
+    if (taken.insert(cell).second)
+      emtr_test::push(out.surface, p, emtr_test::point(street.normals, i));
+  }
+  return out;
+}
+
+TEST(SamplingViewpoint, IsTheOriginOfAScannerWithFewRings) {
+  const Scan scan = scan_street();
+  const auto estimate = [&](const Vector& origin) {
+    return estimate_sampling_viewpoint(scan.surface, scan.cloud, origin.data(),
+                                       emtr::select_kernels());
+  };
+  const Viewpoint free = estimate({50, 50, 50}), found = estimate({0, 0, 0});
+  EXPECT_GT(distance(free, {0, 0, 0}), 0.02);  // the rings pull it away
+  EXPECT_EQ(distance(found, {0, 0, 0}), 0);
+  const Vector elsewhere{0.3, 0.3, 0.3};
+  EXPECT_GT(distance(estimate(elsewhere), elsewhere), 0.1);
 }
 
 TEST(SamplingViewpoint, IsNotBelievedOfAnEvenlySampledCloud) {
