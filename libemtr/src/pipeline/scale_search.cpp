@@ -16,7 +16,7 @@ namespace {
 // Octaves. Of right matches at the right scale a third is lost at a quarter octave beside it, and
 // two thirds at half an octave; a pose is found up to a quarter beside.
 constexpr double kMatchingStep = 0.5, kSearchStep = 0.25;
-constexpr double kNarrow = 0.7;  // of such a range the middle has half of the matches anywhere
+constexpr double kNarrow = 0.7;     // of such a range the middle has half of the matches anywhere
 constexpr double kSearched = 0.04;  // a scale so near to one that was looked at is not looked at
 constexpr std::size_t kPeaksNear = 3, kPeaksEverywhere = 6;
 constexpr std::size_t kPosesOfScale = 2;
