@@ -21,8 +21,8 @@ constexpr double kFarRadii[] = {1.26, 2.34, 4.33, 8};
 constexpr std::size_t kNearDirections = 50, kFarDirections = 100;
 constexpr int kFilterBits = 16;        // of the voxels that are looked for
 constexpr double kFinestStep = 0.005;  // radii
-// Of the best correlation. Scanners at the origin have 0.85 and more there, those of few rings the
-// least; an origin that is elsewhere has below 0.8.
+// Scanners at the origin have this share of the best correlation there, and more; an origin that is
+// elsewhere has below 0.8.
 constexpr double kAsGood = 0.85;
 constexpr double kNoTrust = 0.05, kFullTrust = 0.3;
 constexpr double kClearlyBetter = 0.05;  // of a correlation, than from the other side
