@@ -35,9 +35,7 @@ def sample_mesh(vertices: Any, faces: Any, count: int, name: str) -> Floats:
     """
     corners = _corners(real_array(vertices, name), np.asarray(faces), name)
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    with np.errstate(invalid="ignore", over="ignore"):
-        areas = np.linalg.norm(np.cross(first, second), axis=1)
-    ends = np.cumsum(np.where(np.isfinite(areas), areas, 0.0))  # no point has a NaN
+    ends = _area_ends(first, second)
     if not (ends.size and 0.0 < ends[-1] < np.inf):
         raise ValueError(f"{name}: expected a mesh with a surface, got one whose area is 0")
     index = np.arange(count)
@@ -50,18 +48,33 @@ def sample_mesh(vertices: Any, faces: Any, count: int, name: str) -> Floats:
     )
 
 
+def _area_ends(first: Floats, second: Floats) -> Floats:
+    """Twice the area of all triangles up to each, by two of their edges (F, 3)."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        areas = np.linalg.norm(np.cross(first, second), axis=1)
+    return np.cumsum(np.where(np.isfinite(areas), areas, 0.0))  # no point has a NaN
+
+
+def has_area(vertices: Floats, faces: Any) -> bool:
+    """Tells whether points can be spread over faces (F, 3), rows of vertices that are there."""
+    corners = vertices[faces]
+    ends = _area_ends(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return bool(ends.size and 0.0 < ends[-1] < np.inf)
+
+
 def as_mesh_points(count: Any) -> int:
     """Returns the argument ``mesh_points``.
 
     Raises:
         TypeError: not an integer.
-        ValueError: below 10, with which no cloud can be registered.
+        ValueError: below 10, with which no cloud can be registered, and not 0.
     """
     if isinstance(count, bool) or not hasattr(count, "__index__"):
         raise TypeError(f"mesh_points: expected an integer, got {count!r}")
-    if operator.index(count) < 10:
-        raise ValueError(f"mesh_points: expected 10 or more, got {count!r}")
-    return operator.index(count)
+    number = operator.index(count)
+    if number < 10 and number != 0:
+        raise ValueError(f"mesh_points: expected 10 or more, or 0 for the vertices, got {count!r}")
+    return number
 
 
 def mesh_of(thing: Any, name: str) -> tuple[Any, Any] | None:

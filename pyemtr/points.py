@@ -65,7 +65,7 @@ def _coordinates(cloud: Any, name: str, mesh_points: int) -> Any:
         cloud = cloud.to_geometry()
     mesh = mesh_of(cloud, name)
     if mesh is not None:
-        return sample_mesh(*mesh, mesh_points, name)
+        return sample_mesh(*mesh, mesh_points, name) if mesh_points else mesh[0]
     for attribute in _ATTRIBUTES:
         try:
             return plain(getattr(cloud, attribute))

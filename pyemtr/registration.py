@@ -50,12 +50,12 @@ def register(
         source: points (N, 3) in any unit: an array of any real dtype, byte order and strides, or
             nested lists; homogeneous coordinates (N, 4) whose last column is 1 throughout; a table
             with columns x, y and z (DataFrame, structured array); an object with ``.points`` or
-            ``.vertices`` (clouds of Open3D, trimesh, small_gicp); a file (NPY, NPZ, text, and with
-            ``pip install 'pyemtr[files]'`` PLY, PCD and LAS); or a mesh, which is taken as a
-            surface. float32 and float64 rows are read in place; anything else is copied once.
-            Points with a NaN or an infinity (or masked ones) are dropped and counted. Use a
-            :class:`pyemtr.Cloud` for points that are registered more than once: they are then read
-            once.
+            ``.vertices`` (clouds of Open3D, trimesh, small_gicp); a file (NPY, NPZ, text, OBJ, OFF,
+            STL, with ``pip install 'pyemtr[files]'`` PLY, PCD and LAS, with ``[e57]`` E57; each
+            perhaps with .gz); or a mesh, which is taken as a surface. float32 and float64 rows are
+            read in place; anything else is copied once. Points with a NaN or an infinity (or masked
+            ones) are dropped and counted. Use a :class:`pyemtr.Cloud` for points that are
+            registered more than once: they are then read once.
         target: points (M, 3), likewise.
         seed: 0 <= seed < 2**64.
         threads: 0 for as many as OpenMP would use; the result does not depend on it.
@@ -98,7 +98,7 @@ def register(
             may be wrong. They replace feature matching. At least 3 different ones are needed; of
             more than ``max_correspondences``, that many are used, evenly spaced over the list.
         mesh_points: how many points are spread evenly over the surface of a mesh, the same every
-            time; its vertices play no part.
+            time; its vertices play no part. 0 takes the vertices instead.
         callback: called with a :class:`pyemtr.Progress` before each stage, after each iteration,
             and again about every 20 ms while a stage lasts, with the same progress. Return True to
             stop the run: the result then has the reason "interrupted" and the best pose so far. An

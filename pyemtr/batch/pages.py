@@ -45,7 +45,9 @@ def page_of_pair(
     """
     paths = ((pair.source_text, "source"), (pair.target_text, "target"))
     names = [os.path.basename(text or "") or role for text, role in paths]
-    mesh_points = result.settings.get("mesh_points") or MESH_POINTS
+    mesh_points = result.settings.get("mesh_points")
+    if mesh_points is None:  # 0 stands for the vertices
+        mesh_points = MESH_POINTS
     payload = page_payload(
         result, *clouds, title=pair.name or "", names=names, threads=1, mesh_points=mesh_points
     )

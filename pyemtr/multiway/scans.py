@@ -13,7 +13,7 @@ import numpy as np
 
 from ..arrays import Floats
 from ..cloud import Cloud
-from ..cloud_files import FORMATS, read_cloud
+from ..cloud_files import FORMATS, ending_of, read_cloud
 from ..mesh import mesh_of
 from ..points import as_points
 from .colors import Rows, rows_of
@@ -112,7 +112,7 @@ def _listed(clouds: Any) -> list[Any]:
         if not folder.is_dir():
             raise NotADirectoryError(f"clouds: {folder}: expected a folder, or a list of clouds")
         clouds = sorted(
-            path for path in folder.iterdir() if path.suffix.lower() in FORMATS and path.is_file()
+            path for path in folder.iterdir() if ending_of(str(path)) in FORMATS and path.is_file()
         )
         if len(clouds) < 2:
             raise ValueError(

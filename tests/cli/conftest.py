@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
+import sys
 from pathlib import Path
 
 import cloud_files
@@ -126,3 +127,15 @@ def small(tmp_path) -> tuple[str, str]:
     cloud_files.write_pcd(tmp_path / "a.pcd", surface(240, 3))
     cloud_files.write_pcd(tmp_path / "b.pcd", surface(240, 4))
     return "a.pcd", "b.pcd"
+
+
+@pytest.fixture
+def python_with_pyemtr(tmp_path) -> dict[str, str]:
+    """An environment whose python3 has the package that the tests have."""
+    pyemtr = pytest.importorskip("pyemtr", reason="pyemtr is not installed")
+    place = Path(pyemtr.__file__).parent.parent
+    (tmp_path / "bin").mkdir()
+    program = tmp_path / "bin" / "python3"
+    program.write_text(f'#!/bin/sh\nPYTHONPATH="{place}" exec "{sys.executable}" "$@"\n')
+    program.chmod(0o755)
+    return {**os.environ, "PATH": f"{tmp_path / 'bin'}:/usr/bin:/bin"}

@@ -276,18 +276,6 @@ def test_the_status_line_is_for_terminals(run, command, tmp_path: Path, six: Pat
     assert shown.rindex(b"\r\x1b[K") < shown.rindex(b"6 of 6 pairs: ")
 
 
-@pytest.fixture
-def python_with_pyemtr(tmp_path) -> dict[str, str]:
-    """An environment whose python3 has the package that the tests have."""
-    pyemtr = pytest.importorskip("pyemtr", reason="pyemtr is not installed")
-    place = Path(pyemtr.__file__).parent.parent
-    (tmp_path / "bin").mkdir()
-    program = tmp_path / "bin" / "python3"
-    program.write_text(f'#!/bin/sh\nPYTHONPATH="{place}" exec "{sys.executable}" "$@"\n')
-    program.chmod(0o755)
-    return {**os.environ, "PATH": f"{tmp_path / 'bin'}:/usr/bin:/bin"}
-
-
 def test_pages_are_made_and_go_on(run, six, tmp_path, python_with_pyemtr):
     """With --html each result has a page, and those of an earlier run stay."""
     batch = ["--batch", six, "--out", "out", "--html", "html", *SMALL]
@@ -315,6 +303,7 @@ def test_pages_need_the_package_before_anything_is_done(refused, six, tmp_path):
     [
         (["--html", "-"], "--html: expected a folder"),
         (["--html", "p", "--html-unit", "mm"], "--html-unit and --batch"),
+        (["--html", "p", "--input-format", "npy"], "--input-format and --html with --batch"),
     ],
 )
 def test_wrong_usage_of_pages(refused, six, more, message):

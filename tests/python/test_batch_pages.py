@@ -11,6 +11,7 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
+import formats
 import numpy as np
 import pytest
 from children import environment
@@ -144,6 +145,40 @@ def test_a_large_cloud_in_a_file_is_read_for_its_page(tmp_path) -> None:
     report = payload_of(tmp_path / "html" / "pairs" / "000000.html")["report"]
     assert report["counts"]["read_source"] == 200_001
     assert (tmp_path / "html" / "pairs" / "000000.html").stat().st_size < 3e6
+
+
+@pytest.mark.parametrize("ending", sorted(formats.WRITERS))
+def test_a_cloud_of_any_format_has_its_page(tmp_path, ending) -> None:
+    """The page shows what was registered: a mesh by the points that are spread over it."""
+    path = formats.write(tmp_path / f"a{ending}", formats.relief())
+    np.save(tmp_path / "b.npy", surface(2))
+    (record,) = run([(path, tmp_path / "b.npy")], html=tmp_path / "html", mesh_points=700)
+    assert record.error is None
+    (row,) = entries(tmp_path / "html")
+    payload = payload_of(tmp_path / "html" / row["page"])
+    read = 700 if formats.is_mesh(path) else len(formats.relief()[0])
+    assert payload["report"]["counts"]["read_source"] == read
+    assert payload["report"]["files"]["source"] == f"a{ending}"
+    assert payload["clouds"]["source"]["shown"] > 0.9 * read and row["thumbnail"]
+
+
+def test_the_vertices_of_a_mesh_have_a_page(tmp_path) -> None:
+    path = formats.write(tmp_path / "a.off", formats.relief())
+    np.save(tmp_path / "b.npy", surface(2))
+    pairs = [(path, tmp_path / "b.npy")]
+    run(pairs, out=tmp_path / "out", html=tmp_path / "html", mesh_points=0)
+    run(pairs, out=tmp_path / "out", html=tmp_path / "later", mesh_points=0)  # from the record
+    for folder in ("html", "later"):
+        report = payload_of(tmp_path / folder / "pairs" / "000000.html")["report"]
+        assert report["counts"]["read_source"] == len(formats.relief()[0])
+
+
+def test_a_format_whose_package_is_missing_is_told(tmp_path, monkeypatch) -> None:
+    np.save(tmp_path / "b.npy", surface(2))
+    (tmp_path / "a.e57").write_bytes(b"content")
+    monkeypatch.setitem(sys.modules, "pye57", None)
+    with pytest.raises(ImportError, match=r"a\.e57: E57 files need the package pye57"):
+        run([(tmp_path / "a.e57", tmp_path / "b.npy")], html=tmp_path / "html")
 
 
 def test_the_pages_of_an_older_run_by_the_module(tmp_path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import sys
 import types
 from pathlib import Path
@@ -38,6 +39,12 @@ TEXTS = {
     "quoted.csv": '"i";"Z";"X";"label";"Y";"n"\n' + lines(MOVED, ";"),
     "names.asc": "i Z X label y n\n" + lines(MOVED),
     "bom.csv": "\ufeffx,y,z\n" + lines(POINTS, ","),
+    "percent.txt": "% one\n! two\n" + lines(POINTS),
+    "comment.txt": "# made by hand\n# i Z X label y n\n// the end of it\n" + lines(MOVED),
+    "comment.csv": "// i, z, x, label, Y, n\n" + lines(MOVED, ","),
+    "short comment.txt": "# z y x\n" + lines(MORE),
+    "parts.pts": "12\n" + lines(POINTS[:12]) + "18\n" + lines(POINTS[12:]),
+    "ends.csv": lines(POINTS, ",").replace("\n", ",\n"),
 }
 
 
@@ -64,6 +71,14 @@ def test_any_number_is_read_as_it_was_written(tmp_path_factory, rows, between, w
 def test_nan_in_text_is_a_point_to_drop(tmp_path: Path) -> None:
     (tmp_path / "a.xyz").write_text("nan nan nan\n" + lines(POINTS))
     assert pyemtr.Cloud(tmp_path / "a.xyz").dropped == 1
+
+
+@pytest.mark.parametrize("text", ["1,,3\n", ",2,3,\n", "1, ,3\n", "1;2;\n"])
+def test_an_empty_cell_is_a_point_to_drop(tmp_path: Path, text: str) -> None:
+    between = ";" if ";" in text else ","
+    (tmp_path / "a.csv").write_text(lines(POINTS, between) + text)
+    found = as_points(tmp_path / "a.csv", "source")
+    assert np.array_equal(found[:-1], POINTS) and np.isnan(found[-1]).sum() == 1
 
 
 def test_numpy_files(tmp_path: Path) -> None:
@@ -99,13 +114,26 @@ def test_ply_points(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("field", ["vertex_indices", "vertex_index"])
-@pytest.mark.parametrize("faces", [[[0, 1, 2], [3, 4, 5]], [[0, 1, 2, 3], [4, 5, 6]]])
+@pytest.mark.parametrize(
+    "faces",
+    [
+        [[i, i + 1, i + 2] for i in range(0, 28, 3)],
+        [[i, i + 1, i + 2, i + 3] for i in range(0, 24, 3)] + [[27, 28, 29]],
+    ],
+)
 def test_a_ply_with_faces_is_a_mesh(tmp_path: Path, field: str, faces: list) -> None:
     ply(tmp_path / "a.ply", faces, field)
     split = [[f[0], f[i], f[i + 1]] for f in faces for i in range(1, len(f) - 1)]
     mesh = types.SimpleNamespace(vertices=POINTS, faces=np.array(split))
     wanted = as_points(mesh, "source", 200)
     assert np.array_equal(as_points(tmp_path / "a.ply", "source", 200), wanted)
+
+
+def test_a_file_whose_faces_are_no_surface_is_a_cloud(tmp_path: Path) -> None:
+    """As for the command: most vertices in no face, or faces without area."""
+    for faces in ([[0, 1, 2], [3, 4, 5]], [[i, i, i] for i in range(30)]):
+        ply(tmp_path / "a.ply", faces)
+        assert np.array_equal(as_points(tmp_path / "a.ply", "source"), POINTS)
 
 
 def test_pcd(tmp_path: Path) -> None:
@@ -173,7 +201,7 @@ def test_a_shape_in_a_file_is_refused_by_the_file_s_name(tmp_path: Path) -> None
         as_points(tmp_path / "a.npy", "source")
 
 
-HINTS = {"stl": "trimesh", "obj": "trimesh", "bin": "fromfile", "e57": "pye57", "doc": r"\.ply"}
+HINTS = {"glb": "trimesh", "bin": "fromfile", "doc": r"\.ply", "ply.xz": r"\.gz behind them"}
 
 
 @pytest.mark.parametrize("ending", HINTS)
@@ -192,7 +220,10 @@ def test_a_file_that_is_not_there_is_the_system_s_error(tmp_path: Path) -> None:
         as_points(tmp_path / "folder.xyz", "source")
 
 
-PACKAGES = {"a.ply": "plyfile", "a.pcd": "pypcd4", "a.las": "laspy", "a.laz": "laspy"}
+PACKAGES = {
+    "a.ply": "plyfile", "a.pcd": "pypcd4", "a.las": "laspy", "a.laz": "laspy", "a.e57": "pye57",
+    "a.ply.gz": "plyfile",
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", PACKAGES)
@@ -200,8 +231,10 @@ def test_a_missing_package_is_named(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
     monkeypatch.setitem(sys.modules, PACKAGES[name], None)
-    (tmp_path / name).write_bytes(b"content")
-    wanted = rf"^source: .*{name}: .*{PACKAGES[name]}.*pyemtr\[files\]"
+    content = gzip.compress(b"content") if name.endswith(".gz") else b"content"
+    (tmp_path / name).write_bytes(content)
+    extra = "e57" if name == "a.e57" else "files"
+    wanted = rf"^source: .*{name}: .*{PACKAGES[name]}.*pyemtr\[{extra}\]"
     with pytest.raises(ImportError, match=wanted):
         as_points(tmp_path / name, "source")
 

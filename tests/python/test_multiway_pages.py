@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
 from pathlib import Path
@@ -107,3 +108,22 @@ def test_wrong_arguments(aligned, tmp_path, arguments, message) -> None:
 def test_a_pair_that_was_not_registered_has_no_result(aligned) -> None:
     with pytest.raises(KeyError):
         aligned.registration(0, 1)  # the reverse of (1, 0)
+
+
+def test_a_folder_of_several_formats_has_its_pages(tmp_path) -> None:
+    made = scene({2: 3}, seed=5, count=2000, half_angle=85.0)
+    np.save(tmp_path / "a.npy", made.clouds[0])
+    np.savetxt(tmp_path / "b.xyz", made.clouds[1], fmt="%.17g")
+    points = "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in made.clouds[2].tolist())
+    (tmp_path / "c.obj.gz").write_bytes(gzip.compress(points.encode()))
+    (tmp_path / "notes.doc").write_text("no scan")
+    found = pyemtr.align_all(tmp_path, preset="fast")
+    assert [scan.name for scan in found.scans] == ["a.npy", "b.xyz", "c.obj.gz"]
+    wanted = pyemtr.align_all(made.clouds, preset="fast")
+    assert (
+        np.array([s.pose for s in found.scans]).tobytes()
+        == np.array([s.pose for s in wanted.scans]).tobytes()
+    )
+    assert len(found.to_html(tmp_path / "pages")) == 1 + len(found.edges)
+    payload = payload_of(tmp_path / "pages" / "index.html")
+    assert all(scan["cloud"] is not None for scan in payload["scans"])

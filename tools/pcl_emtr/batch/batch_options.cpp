@@ -76,6 +76,11 @@ void BatchOptions::check(Options& options) const {
     throw UsageFailure("--batch: expected a file or folder, got nothing");
   if (!options.html_unit.empty())
     throw UsageFailure("--html-unit and --batch contradict each other: the pages name no unit");
+  if (!options.html.empty() && given("--input-format"))
+    throw UsageFailure(
+        "--input-format and --html with --batch contradict each other: the pages are of files "
+        "whose "
+        "format is known by their extension");
   if (descriptor_of(options.html))
     throw UsageFailure("--html: expected a folder beside --batch, got '" + options.html + "'");
   if (options.batch.out.empty()) throw UsageFailure("--batch: expected --out for the results");
