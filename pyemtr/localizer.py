@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 _RADIUS = 0.25  # of a scan's radius: how far its centroid may have moved since the last scan
 _DEGREES = 45.0
+_SURE = 0.99  # what is less confident near the last pose is compared with the whole map
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,14 +153,19 @@ class Localizer:
         cloud = scan if isinstance(scan, Cloud) else self._cloud(scan)
         by: Literal["guess", "last pose"] = "last pose" if guess is None else "guess"
         start = self._last if guess is None else as_transformation(guess, "guess")
+        near: Result | None = None
         if start is not None:
             limit = radius if radius is not None else self._radius
             limit = _RADIUS * cloud.radius if limit is None else _positive("radius", limit)
             angle = self._degrees if degrees is None else _positive("degrees", degrees)
             result = self._near(cloud, start, limit, angle)
             if result is not None and result.registered:
-                return self._located(result, by, begin)
+                if guess is not None or result.confidence >= _SURE:
+                    return self._located(result, by, begin)
+                near = result
         found = register(cloud, self._map, **self._arguments)
+        if near is not None and not (found.registered and found.confidence > near.confidence):
+            return self._located(near, by, begin)
         return self._located(found, "search", begin)
 
     def _cloud(self, scan: Any) -> Cloud:

@@ -1,8 +1,8 @@
 """A car that knows its street: sweep after sweep of a LiDAR is found in a map, and how fast.
 
-The map is made of sweeps from known places, as a mapping run leaves it. Then the car drives, is
-carried away once, and sees another street once. Each sweep is looked for near the last pose, and in
-the whole map where that does not convince.
+The map is made of sweeps from known places, as a mapping run leaves it. Then the car drives two
+laps, is carried away twice in each, and sees another street once. Each sweep is looked for near the
+last pose, and in the whole map where that does not convince. ``python localize.py 10`` drives ten.
 
 With real sweeps, frames of one place that are pairs with a ``T_gt.txt``:
 ``EMTR_DATA=folder python localize.py`` takes ``pairs/lidar/*`` of it: each target is a map.
@@ -11,7 +11,9 @@ With real sweeps, frames of one place that are pairs with a ``T_gt.txt``:
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
+from time import process_time
 
 import numpy as np
 import scenes
@@ -70,50 +72,70 @@ def report(name: str, location: pyemtr.Location, true: Array | None) -> str:
     return f"{text}, {meters:.3f} m off, rotation error {degrees:.3f} degrees"
 
 
-def latency(seconds: list[float]) -> str:
-    """Returns how long the sweeps took."""
-    median, most, longest = 1000 * np.percentile(seconds, [50, 90, 100])
-    return (
-        f"{len(seconds)} sweeps: median {median:.0f} ms, 90 % {most:.0f} ms, max {longest:.0f} ms"
-    )
+class Latency:
+    """How long sweeps took, by the clock and of the processors, apart by how they were found."""
+
+    def __init__(self) -> None:
+        self._times: dict[str, list[tuple[float, float]]] = {}
+        self._begin = process_time()
+
+    def begin(self) -> None:
+        self._begin = process_time()
+
+    def end(self, location: pyemtr.Location) -> None:
+        cpu = process_time() - self._begin
+        self._times.setdefault(location.by, []).append((location.seconds, cpu))
+
+    def __str__(self) -> str:
+        lines = []
+        for by, times in self._times.items():
+            for what, seconds in zip(("wall", "CPU"), np.transpose(times)):
+                median, most, longest = 1000 * np.percentile(seconds, [50, 90, 100])
+                lines.append(
+                    f"{len(times)} sweeps by {by}, {what}: median {median:.0f} ms,"
+                    f" 90 % {most:.0f} ms, max {longest:.0f} ms"
+                )
+        return "\n".join(lines)
 
 
-def made() -> None:
+def made(laps: int) -> None:
     """Drives through a made street."""
     world = street(1)
     sweeps = [sweep(world, x, 0, 0, seed=100 + i) for i, x in enumerate(range(-90, 91, 10))]
     street_map = np.concatenate([scenes.moved(pose, points) for points, pose in sweeps])
     localizer = pyemtr.Localizer(street_map, axis=(0, 0, 1), axis_tilt=2, radius=5, degrees=20)
     print(f"map of {len(street_map)} points")
-    seconds, wrong = [], 0
-    for i in range(14):
-        # 2.5 m a sweep, and once the car is carried far away
-        x = -70 + 2.5 * i if i < 7 else 20 + 2.5 * (i - 7)
+    latency, wrong = Latency(), 0
+    for i in range(14 * laps):
+        # 2.5 m a sweep; in the middle of a lap, and back to its begin, the car is carried
+        x = -70 + 2.5 * (i % 14) if i % 14 < 7 else 20 + 2.5 * (i % 14 - 7)
         points, true = sweep(world, x, np.sin(i / 3), 6 * np.cos(i / 3), seed=i)
+        latency.begin()
         location = localizer.localize(points)
-        seconds.append(location.seconds)
+        latency.end(location)
         wrong += location.registered and bool(np.abs(location.pose - true)[:3, 3].max() > 0.5)
         print(report(f"sweep {i}", location, true))
     elsewhere, _ = sweep(street(2), 0, 0, 0, seed=99)
     lost = localizer.localize(elsewhere)
     print(f"another street: {lost.result.reason_text}")
     print(f"{wrong + lost.registered} wrong poses were called registered")
-    print(latency(seconds))
+    print(latency)
 
 
 def real(folder: Path) -> None:
     """Finds each source in the map that its target is: without a guess, and with one."""
-    seconds = []
+    latency = Latency()
     for pair in sorted(path for path in folder.iterdir() if (path / "T_gt.txt").is_file()):
         true = np.loadtxt(pair / "T_gt.txt")
         localizer = pyemtr.Localizer(pair / "target.ply")
         scan = pyemtr.Cloud(pair / "source.ply")
         for name, guess in (("no guess", None), ("guess", scenes.motion((1, 2, 5), (1, -1, 0)))):
             localizer.forget()
+            latency.begin()
             location = localizer.localize(scan, None if guess is None else true @ guess)
-            seconds.append(location.seconds)
+            latency.end(location)
             print(report(f"{pair.name}, {name}", location, true))
-    print(latency(seconds))
+    print(latency)
 
 
 if __name__ == "__main__":
@@ -121,4 +143,4 @@ if __name__ == "__main__":
     lidar = Path(data) / "pairs" / "lidar" if data else None
     if lidar is not None and lidar.is_dir():
         real(lidar)
-    made()
+    made(int(sys.argv[1]) if sys.argv[1:] else 2)

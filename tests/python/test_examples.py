@@ -14,7 +14,7 @@ FOLDER = Path(__file__).resolve().parents[2] / "examples" / "python"
 SCRIPTS = {
     "cad_to_scan": "rmse",
     "lidar_pair": "confidence",
-    "localize": r"(?s)registered by last pose.*\n0 wrong poses.*median \d+ ms, 90 % \d+ ms",
+    "localize": r"(?s)registered by last pose.*\n0 wrong poses.*last pose, CPU: median \d+ ms",
     "many_scans": "registered 6 scans",
     "object_scan": "within 1 mm",
     "own_optimizer": "TaskAlpha: .* generations",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from shapes import apply
@@ -73,6 +75,45 @@ def test_one_who_was_carried_away_is_searched_for(ground) -> None:
     location = found.localize(scan_at(away, 2))
     assert location.by == "search" and location.registered and off(location, away) < 0.05
     assert np.array_equal(found.last_pose, location.pose)
+
+
+@pytest.mark.parametrize(
+    ("near", "whole", "by"),
+    [
+        ((True, 0.999), (True, 1.0), "last pose"),  # sure enough, so the map is not searched
+        ((True, 0.9), (True, 0.95), "search"),
+        ((True, 0.9), (True, 0.8), "last pose"),
+        ((True, 0.9), (False, 0.95), "last pose"),
+        ((False, 0.4), (True, 0.6), "search"),
+        ((False, 0.4), (False, 0.3), "search"),
+    ],
+)
+def test_a_doubtful_pose_near_the_last_one_is_compared_with_the_map(
+    ground, monkeypatch, near, whole, by
+) -> None:
+    found = localizer(ground, radius=1.0)
+    first = found.localize(scan_at(pose_at(0, 0, 0), 3))
+    calls = []
+
+    def register(scan, target, **settings):
+        kind = "near" if "guess" in settings else "whole"
+        calls.append(kind)
+        registered, confidence = near if kind == "near" else whole
+        pose = first.pose @ pose_at(0.1 if kind == "near" else 5.0, 0, 0)
+        return SimpleNamespace(registered=registered, confidence=confidence, transformation=pose)
+
+    monkeypatch.setattr("pyemtr.localizer.register", register)
+    location = found.localize(scan_at(pose_at(0, 0, 0), 4))
+    assert location.by == by
+    assert (location.registered, location.confidence) == (near if by == "last pose" else whole)
+    assert calls == (["near"] if near[1] > 0.99 else ["near", "whole"])
+    moved = not np.array_equal(found.last_pose, first.pose)
+    assert moved is location.registered
+    calls.clear()
+    located = found.localize(scan_at(pose_at(0, 0, 0), 4), guess=first.pose)
+    assert (calls, located.by) == (
+        (["near"], "guess") if near[0] else (["near", "whole"], "search")
+    )
 
 
 def test_what_is_not_registered_leaves_the_last_pose(ground) -> None:
