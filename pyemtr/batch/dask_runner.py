@@ -68,6 +68,9 @@ class DaskRunner:
                             as_line(error_record(pair, RuntimeError(_KILLED))) for pair in pairs
                         ]
                     raise
+                # Dask keeps the exception. Its traceback has this frame, and this frame a future
+                # that is done later, whose result would stay on the cluster as long.
+                error.__traceback__ = None
                 self._sent.clear()  # some of it may be what was lost
                 self._submit(pairs, attempt + 1)
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import json
+import weakref
 from concurrent.futures import CancelledError, Future
 from pathlib import Path
 from types import SimpleNamespace
@@ -26,6 +28,7 @@ class Client:
     def __init__(self, *failures: BaseException) -> None:
         self.failures = list(failures)
         self.submitted: list[str] = []
+        self.futures: list[weakref.ref[Any]] = []
         self.scattered = 0
         self.scheduler = SimpleNamespace(address="tcp://nowhere:1")
 
@@ -48,6 +51,7 @@ class Client:
         self.submitted.append(key)
         done: Any = Future()
         done.key = key
+        self.futures.append(weakref.ref(done))
         if self.failures:
             done.set_exception(self.failures.pop(0))
         else:
@@ -61,6 +65,18 @@ def test_lost_work_is_done_again_and_lost_clouds_are_sent_again() -> None:
     assert comparable(run([(A, B)], client)) == comparable(run([(A, B)]))
     assert [key.rsplit("-", 1)[1] for key in client.submitted] == ["1", "2", "3"]
     assert client.scattered == 6
+
+
+def test_no_result_is_kept_by_the_exception_of_lost_work() -> None:
+    """Dask keeps the exception, which the frames that raised it would hang on."""
+    lost = CancelledError()
+    client = Client(lost)
+    gc.disable()
+    try:
+        run([(A, B, {"seed": seed}) for seed in range(3)], client)
+        assert len(client.futures) == 4 and [future() for future in client.futures] == [None] * 4
+    finally:
+        gc.enable()
 
 
 def test_a_cloud_in_memory_is_sent_once() -> None:
