@@ -54,8 +54,9 @@ def page_payload(
     called = _names(names, source, target)
     from_points = as_points(source, "source", mesh_points).astype(np.float64)
     to_points = as_points(target, "target", mesh_points).astype(np.float64)
+    known = np.isfinite(result.transformation).all()  # else stopped before it was measured
     # The normalized frame's unit is the target's: the source's own is `scale` of it.
-    radius = result.normalization_scale
+    radius = result.normalization_scale if known else np.nan
     shown = _block(from_points, "source", result.center_source, radius / result.scale, max_points)
     fixed = _block(to_points, "target", result.center_target, radius, max_points)
     poses = [result.transformation, *(other.transformation for other in result.alternatives)]

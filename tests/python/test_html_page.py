@@ -133,12 +133,14 @@ def test_the_axis_of_the_registration_is_up(pair) -> None:
 
 
 def test_without_a_pose_the_page_has_no_residuals(pair) -> None:
-    result = pyemtr.register(pair.source, pair.target, callback=lambda progress: True)
-    payload = page_payload(result, pair.source, pair.target)
+    source, target = pair.source + 1000, pair.target * 1000  # nothing was measured of them
+    result = pyemtr.register(source, target, callback=lambda progress: True)
+    payload = page_payload(result, source, target)
     assert result.reason == payload["report"]["reason"] == "interrupted"
-    if np.isnan(result.transformation).any():
-        assert payload["residuals"] == []
-        assert payload["report"]["transformation"][0][0] is None
+    assert np.isnan(result.transformation).any() and payload["residuals"] == []
+    assert payload["report"]["transformation"][0][0] is None
+    for cloud, points in (("source", source), ("target", target)):
+        assert payload["clouds"][cloud]["shown"] == len(points)
 
 
 @pytest.mark.parametrize(
