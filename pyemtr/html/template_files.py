@@ -13,6 +13,7 @@ TEMPLATE = Path(__file__).resolve().parent / "template"
 # CMake has the list of the page for the command in tools/pcl_emtr/html/template.cmake.
 PAGE_PARTS: dict[str, tuple[str, ...]] = {
     "@head@": ("head.html",),
+    "@header@": ("header.html",),
     "@view@": ("view.html",),
     "@style@": ("page.css",),
     "@advice@": ("advice.json",),
@@ -26,6 +27,7 @@ INDEX_PARTS: dict[str, tuple[str, ...]] = {
 }
 MODEL_PARTS: dict[str, tuple[str, ...]] = {
     "@head@": ("head.html",),
+    "@header@": ("header.html",),
     "@view@": ("view.html",),
     "@style@": ("page.css", "table.css", "model.css"),
     "@three@": ("three.min.js",),

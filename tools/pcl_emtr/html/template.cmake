@@ -4,8 +4,8 @@
 cmake_minimum_required(VERSION 3.18)
 
 file(READ "${TEMPLATE}/page.html" page)
-foreach(part "head head.html" "view view.html" "style page.css" "advice advice.json" "three three.min.js"
-        "script charts.js scene.js pair_view.js page.js")
+foreach(part "head head.html" "header header.html" "view view.html" "style page.css" "advice advice.json"
+        "three three.min.js" "script charts.js scene.js pair_view.js page.js")
   string(REPLACE " " ";" files "${part}")
   list(POP_FRONT files mark)
   set(content "")
