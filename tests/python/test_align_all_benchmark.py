@@ -5,16 +5,29 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from emtr_bench import machine
 from emtr_bench.align_all.judge import judge
 from emtr_bench.align_all.scenes import Scene, generated, scenes_of
 from emtr_bench.layout import read_folder, write_pair
 from shapes import random_transformation
+
+import pyemtr
 
 
 def made_scene(chain: list[int]) -> Scene:
     rng = np.random.default_rng(1)
     clouds = [rng.normal(size=(50, 3)) for _ in chain]
     return Scene("made", clouds, [random_transformation(rng) for _ in chain], chain)
+
+
+def test_the_version_of_a_package_without_metadata_is_known(monkeypatch) -> None:
+    """As of one that runs from a build folder."""
+
+    def version(package: str) -> str:
+        raise machine.metadata.PackageNotFoundError(package)
+
+    monkeypatch.setattr(machine.metadata, "version", version)
+    assert machine.describe(("pyemtr",))["pyemtr"] == pyemtr.__version__
 
 
 def test_a_scan_is_judged_against_its_chain() -> None:

@@ -27,8 +27,18 @@ def describe(packages: Iterable[str] = ()) -> dict[str, str]:
         "revision": first_line("git", "-C", str(REPOSITORY), "describe", "--always", "--dirty"),
     }
     for package in packages:
-        known[package] = metadata.version(package)
+        known[package] = _version(package)
     return known
+
+
+def _version(package: str) -> str:
+    """The version of a package that is installed, or of pyemtr as it runs: from a build folder it
+    has no metadata."""
+    if package == "pyemtr":
+        import pyemtr
+
+        return pyemtr.__version__
+    return metadata.version(package)
 
 
 def cpu_model() -> str:
