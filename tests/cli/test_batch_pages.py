@@ -94,6 +94,21 @@ def test_each_format_has_its_page(run, tmp_path, python_with_pyemtr, name):
     assert report["files"]["source"] == name
 
 
+@pytest.mark.parametrize("name", [name for name in FILES if name != "a.las"])
+def test_python_reads_what_the_command_reads(run, tmp_path, name):
+    """So their records are the same to the last bit."""
+    pyemtr = pytest.importorskip("pyemtr", reason="pyemtr is not installed")
+    FILES[name][0](tmp_path / name)
+    np.save(tmp_path / "target.npy", surface(300, 1))
+    (tmp_path / "pairs.csv").write_text(f"source,target\n{name},target.npy\n")
+    done = run("--batch", "pairs.csv", "--out", "out", *SMALL)
+    assert done.returncode in (0, 3), done.stderr
+    settings = {"preset": "fast", "iterations": 2, "population": 4, "mesh_points": 700}
+    (record,) = pyemtr.register_many(tmp_path / "pairs.csv", **settings)
+    by_command = json.loads((tmp_path / "out" / "results.jsonl").read_text())
+    assert {**record.values, "seconds": 0} == {**by_command, "seconds": 0}
+
+
 def test_the_vertices_of_a_mesh_have_a_page(run, tmp_path, python_with_pyemtr):
     mesh_files.write_off(tmp_path / "a.off", RELIEF)
     (tmp_path / "pairs.csv").write_text("source,target,mesh_points\na.off,a.off,0\n")
