@@ -141,8 +141,9 @@ void rank_candidates(const Problem& problem, Solution& found) {
 bool needs_fallback_search(const Problem& problem, const Solution& found) {
   const Settings& settings = problem.settings;
   if (!found.confidence) return false;
+  const Candidate& best = found.candidates->ranked().front();
   const bool doubtful = found.confidence->probability < settings.fallback_confidence ||
-                        is_mostly_plane(found.candidates->ranked().front());
+                        is_mostly_plane(best) || is_nearly_rivaled(best, *found.confidence);
   return in_use(settings.fallback_search, doubtful);
 }
 

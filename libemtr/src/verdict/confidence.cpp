@@ -13,6 +13,8 @@ constexpr std::size_t kFewMatches = 10;
 // Scores below the first are reached by poses that mean nothing; another pose above it with this
 // share of the best score is another answer, a rival.
 constexpr double kMeaningfulScore = 0.03, kRivalShare = 0.75;
+// One of 190 registered scans of other sources has another answer with 0.3 of the score.
+constexpr double kNearlyRivalShare = 0.5;
 // Scans from one place lie on each other by their pattern of points alone.
 constexpr double kRivalShareFromOnePlace = 0.3;
 // A clean rival fits where it overlaps as well as the best does, and sees as little in front of the
@@ -89,6 +91,10 @@ bool is_mostly_plane(const Candidate& candidate) {
 
 bool is_hardly_explained(const Candidate& candidate) {
   return candidate.fit.near < kLeastExplained;
+}
+
+bool is_nearly_rivaled(const Candidate& best, const Confidence& confidence) {
+  return confidence.score_gap < (1 - kNearlyRivalShare) * best.score;
 }
 
 double evidence(const Candidate& candidate, std::size_t source, std::size_t target) {

@@ -23,6 +23,10 @@ bool is_mostly_plane(const Candidate& candidate);
 /// Tells whether nearly all that is distinctive of the clouds lies nowhere near the other one.
 bool is_hardly_explained(const Candidate& candidate);
 
+/// Tells whether another answer has half of the best one's score and more. It is so of few right
+/// poses, but where the scene repeats itself: there the right one may not have been found.
+bool is_nearly_rivaled(const Candidate& best, const Confidence& confidence);
+
 /// Returns how many points of the poorer cloud lie on the other. `source`, `target`: numbers of
 /// points of the surfaces.
 double evidence(const Candidate& candidate, std::size_t source, std::size_t target);

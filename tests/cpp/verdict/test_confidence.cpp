@@ -82,6 +82,15 @@ TEST(Confidence, AnAnswerThatOverlapsLessButFitsAsWellIsARival) {
   EXPECT_EQ(beside(0.8, 0.05).probability, without);  // the sensors saw through it
 }
 
+TEST(Confidence, AnotherAnswerOfHalfTheScoreIsNearlyARival) {
+  const auto nearly = [](const std::vector<Candidate>& some) {
+    return emtr::is_nearly_rivaled(some.front(), estimate_confidence(some));
+  };
+  EXPECT_TRUE(nearly({at(0, 0.6), at(90, 0.35)}));
+  EXPECT_FALSE(nearly({at(0, 0.6), at(90, 0.25)}));
+  EXPECT_FALSE(nearly({at(0, 0.6), at(3, 0.5)}));  // the same answer
+}
+
 TEST(Confidence, AlternativesAreDistinctBestFirstAndTenAtMost) {
   std::vector<Candidate> all;
   for (int i = 0; i < 60; ++i) all.push_back(at(6.0 * i, 0.7 - 0.01 * i));
