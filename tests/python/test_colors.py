@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from emtr_bench.colors.program import case_of
+from emtr_bench.colors.cases import case_of
 
 import pyemtr
 from pyemtr.cloud import Beside, _Rows

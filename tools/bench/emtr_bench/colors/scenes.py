@@ -25,6 +25,8 @@ class Case:
     truth: Array
     source_intensity: Array | None = None  # (n,)
     target_intensity: Array | None = None
+    tolerance: float = 0.02  # of a right pose, in the points' unit
+    degrees: float = 1.0  # of a right pose
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,7 @@ def wall(seed: int, *, overlap: float = 0.6) -> Case:
     width = 4.0
     apart = width * (1 - overlap)
     scans = [_on_wall(paint, center, width, rng) for center in (-apart / 2, apart / 2)]
-    return _case(scans[0], scans[1], rng)
+    return case_from(scans[0], scans[1], rng)
 
 
 def floor(seed: int, *, marks: int = 40) -> Case:
@@ -50,7 +52,7 @@ def floor(seed: int, *, marks: int = 40) -> Case:
     rng = np.random.default_rng([2, seed])
     paint = tiles(0.4, 6.0, marks, rng)
     scans = [_disc(paint, center, 2.0, rng) for center in ((-0.5, -0.3), (0.5, 0.3))]
-    return _case(scans[0], scans[1], rng)
+    return case_from(scans[0], scans[1], rng)
 
 
 def box(seed: int) -> Case:
@@ -61,7 +63,7 @@ def box(seed: int) -> Case:
     paints: list[Paint] = [plain(cardboard)] * 6
     for side in rng.choice(4, 2, replace=False):
         paints[side] = _labelled(cardboard, rng)
-    return _case(_on_box(half, paints, rng), _on_box(half, paints, rng), rng)
+    return case_from(_on_box(half, paints, rng), _on_box(half, paints, rng), rng)
 
 
 def column(seed: int) -> Case:
@@ -69,7 +71,7 @@ def column(seed: int) -> Case:
     rng = np.random.default_rng([4, seed])
     radius, height = 0.5, 2.4
     paint = posters(2 * np.pi * radius, height, 8, rng)
-    return _case(*(_on_column(paint, radius, height, rng) for _ in range(2)), rng)
+    return case_from(*(_on_column(paint, radius, height, rng) for _ in range(2)), rng)
 
 
 def corridor(seed: int) -> Case:
@@ -77,7 +79,7 @@ def corridor(seed: int) -> Case:
     rng = np.random.default_rng([5, seed])
     paints = [posters(10.0, 2.2, 16, rng), posters(10.0, 2.2, 16, rng),
               tiles(0.5, 10.0, 8, rng), plain(np.array([0.9, 0.9, 0.88]))]  # fmt: skip
-    return _case(*(_in_corridor(paints, x, rng) for x in (-1.2, 1.2)), rng)
+    return case_from(*(_in_corridor(paints, x, rng) for x in (-1.2, 1.2)), rng)
 
 
 def intensity(seed: int) -> Case:
@@ -91,7 +93,7 @@ def intensity(seed: int) -> Case:
         distance = np.linalg.norm(to_sensor, axis=1)
         reflected = scan.colors.mean(axis=1) * np.abs(to_sensor[:, 1]) / distance / distance**2
         received.append(1000 * reflected * rng.normal(1.0, 0.05, len(distance)).clip(0.5))
-    case = _case(scans[0], scans[1], rng)
+    case = case_from(scans[0], scans[1], rng)
     return replace(case, source_colors=None, target_colors=None,
                    source_intensity=received[0], target_intensity=received[1])  # fmt: skip
 
@@ -186,7 +188,7 @@ def _seen(
     return Scan(points + off * normals, exposed.clip(0, 1))
 
 
-def _case(source: Scan, target: Scan, rng: Generator) -> Case:
+def case_from(source: Scan, target: Scan, rng: Generator) -> Case:
     extent = float(np.linalg.norm(np.ptp(target.points, axis=0)))
     a, b = any_pose(rng, extent), any_pose(rng, extent)
     return Case(apply(a, source.points), apply(b, target.points), source.colors, target.colors,

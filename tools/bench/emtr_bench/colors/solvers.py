@@ -23,6 +23,7 @@ class Answer:
     registered: bool
     reason: str
     seconds: float
+    evidence: float = float("nan")  # of the colors
 
 
 Solver = Callable[[Case], Answer]
@@ -43,7 +44,8 @@ def emtr_solver(preset: str, threads: int, use_colors: str) -> Solver:
             use_colors=use_colors,  # type: ignore[arg-type]
         )
         seconds = time.perf_counter() - start
-        return Answer(result.transformation, result.registered, result.reason, seconds)
+        return Answer(result.transformation, result.registered, result.reason, seconds,
+                      result.color_evidence)  # fmt: skip
 
     return solve
 
