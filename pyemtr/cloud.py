@@ -191,15 +191,21 @@ def as_cloud(
     """Returns what the C library reads: a preprocessed cloud, or points with what is beside them.
     Raises TypeError when a :class:`Cloud` comes with something beside it."""
     if not isinstance(cloud, Cloud):
-        return _Rows.of(cloud, name, beside or Beside(), f"{name}_", mesh_points).buffer(
-            keep_points
-        )
+        return rows_of(cloud, name, beside or Beside(), mesh_points).buffer(keep_points)
     for what, given in (beside or Beside())._asdict().items():
         if given is not None:
             raise TypeError(
                 f"{name}_{what}: a pyemtr.Cloud has its own; give them to pyemtr.Cloud()"
             )
     return cloud._raw
+
+
+def rows_of(cloud: Any, name: str, beside: Beside, mesh_points: int) -> _Rows:
+    """Returns a cloud's points with what is beside them; a :class:`Cloud` has its own, and raises
+    TypeError where it did not keep them."""
+    if isinstance(cloud, Cloud):
+        return cloud._rows()
+    return _Rows.of(cloud, name, beside, f"{name}_", mesh_points)
 
 
 class _Rows(NamedTuple):

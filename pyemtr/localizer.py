@@ -10,9 +10,9 @@ import numpy as np
 
 from .arrays import Floats, as_transformation, as_vector
 from .cloud import Cloud
+from .looks import looks_of
 from .mesh import MESH_POINTS, as_mesh_points
 from .options import make_settings, require_rigid
-from .points import as_points
 from .registration import register
 from .result import Result
 from .submaps import Submaps
@@ -68,7 +68,8 @@ class Localizer:
 
     Args:
         map: points as :func:`pyemtr.register` takes them, in the scans' unit; a
-            :class:`pyemtr.Cloud` must have kept its points.
+            :class:`pyemtr.Cloud` must have kept its points. Its colors or intensities are compared
+            with those of the scans, as the setting ``use_colors`` says.
         axis: (3,), the direction that is up in the map and in the scans, as of leveled sensors; the
             setting ``axis_tilt`` says how level, in degrees. None: any rotation.
         sensor: (3,), where the sensor is in the scans' frame; None where that is not known.
@@ -99,15 +100,16 @@ class Localizer:
     ) -> None:
         make_settings(preset, {**settings}, seed=seed, threads=threads)  # type: ignore[dict-item]
         require_rigid(settings)
-        if settings.get("use_colors") == "on":
-            raise ValueError('use_colors: expected "off" or "auto": the parts of a map have none')
         if {"guess_translation", "guess_rotation"} & settings.keys():
             raise TypeError("guess_translation, guess_rotation: give radius= and degrees= instead")
         self._mesh_points = as_mesh_points(mesh_points)
-        given = map.points if isinstance(map, Cloud) else as_points(map, "map", self._mesh_points)
-        self._map = map if isinstance(map, Cloud) else Cloud(given, threads=threads)
-        finite = np.isfinite(given).all(axis=1)
-        self._submaps = Submaps(given[finite].astype(np.float64))
+        given = looks_of(map, "map", self._mesh_points)
+        self._map = map if isinstance(map, Cloud) else given.cloud(threads)
+        if settings.get("use_colors") == "on" and given.is_bare:
+            raise ValueError(
+                "map: has neither colors nor intensities, expected some for use_colors on"
+            )
+        self._submaps = Submaps(given.finite())
         self._radius = None if radius is None else _positive("radius", radius)
         self._degrees = _positive("degrees", degrees)
         self._arguments: dict[str, Any] = {

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .arrays import Floats
 from .cloud import Cloud
+from .looks import Looks
 
 _TILES = 64  # along the longest side of the map
 _KEPT = 8  # parts that stay preprocessed, those that were used last
@@ -22,14 +21,15 @@ class Submaps:
     depends on where one asks, and not on what was asked before.
     """
 
-    def __init__(self, points: Floats) -> None:
-        """Takes finite points, float64 (N, 3)."""
+    def __init__(self, looks: Looks) -> None:
+        """Takes finite points, float64, with their colors and intensities."""
+        points = looks.points
         low, high = points.min(axis=0), points.max(axis=0)
         edge = max(float((high - low).max()) / _TILES, np.finfo(np.float64).tiny)
         tiles = np.floor((points - low) / edge).astype(np.int64)
         found, index = np.unique(tiles, axis=0, return_inverse=True)
         order = np.argsort(index.ravel(), kind="stable")
-        self._points: NDArray[Any] = points[order]
+        self._looks = looks.rows(order)
         self._begins = np.searchsorted(index.ravel()[order], np.arange(len(found) + 1))
         self._middles = low + (found + 0.5) * edge
         self._corner = edge * np.sqrt(3) / 2
@@ -53,10 +53,10 @@ class Submaps:
 
     def _part(self, place: Floats, reach: float, threads: int) -> Cloud | None:
         near = np.linalg.norm(self._middles - place, axis=1) <= reach + self._corner
-        rows = [self._points[self._begins[i] : self._begins[i + 1]] for i in np.flatnonzero(near)]
-        points = np.concatenate([self._points[:0], *rows])
-        points = points[np.linalg.norm(points - place, axis=1) <= reach]
+        ranges = [np.arange(*self._begins[i : i + 2]) for i in np.flatnonzero(near)]
+        rows = np.concatenate([np.arange(0), *ranges])
+        distance = np.linalg.norm(self._looks.points[rows] - place, axis=1)
         try:
-            return Cloud(points, threads=threads)
+            return self._looks.rows(rows[distance <= reach]).cloud(threads)
         except ValueError:  # fewer than ten, or all on one line: nothing to be found there
             return None

@@ -157,9 +157,34 @@ def test_where_the_shape_is_enough_auto_changes_no_bit() -> None:
     assert rotation_error(asked.transformation, bare.transformation) < 0.5
 
 
-def test_asked_for_colors_must_be_there() -> None:
+@pytest.mark.parametrize("call", [pyemtr.register, pyemtr.Problem])
+def test_asked_for_colors_must_be_there(call) -> None:
     with pytest.raises(ValueError, match="source cloud: has neither colors nor intensities"):
-        pyemtr.register(POINTS, POINTS, use_colors="on")
+        call(POINTS, POINTS, use_colors="on")
+    with pytest.raises(ValueError, match="one has colors and the other intensities"):
+        call(POINTS, POINTS, source_colors=COLORS, target_intensity=COLORS[:, 0], use_colors="on")
+
+
+def test_outlines_have_no_colors() -> None:
+    flat = np.column_stack([POINTS[:, :2], np.zeros(50)])
+    with pytest.raises(ValueError, match="flat across the axis"):
+        pyemtr.register(
+            flat, flat, source_colors=COLORS, target_colors=COLORS, axis=(0, 0, 1), use_colors="on"
+        )
+
+
+def test_a_problem_uses_them_as_a_registration_does() -> None:
+    case = case_of("box", 1)
+    given = {"source_colors": case.source_colors, "target_colors": case.target_colors}
+    problem = pyemtr.Problem(case.source, case.target, **given, preset="fast", use_colors="on")
+    result = problem.solve()
+    other = pyemtr.register(case.source, case.target, **given, preset="fast", use_colors="on")
+    assert result.used_colors and result.registered
+    assert np.array_equal(result.transformation, other.transformation)
+    assert result.color_evidence == other.color_evidence
+
+
+def test_a_refinement_must_not_be_off() -> None:
     with pytest.raises(ValueError, match="use_colors"):
         pyemtr.register(POINTS, POINTS, source_colors=COLORS, use_colors="on", refine=False)
 

@@ -9,6 +9,7 @@ import pytest
 from shapes import apply
 
 import pyemtr
+from pyemtr import Cloud
 
 RNG = np.random.default_rng(5)
 HILLS = RNG.uniform(-10, 10, (60, 2))
@@ -194,8 +195,50 @@ def test_wrong_scans_and_guesses_are_named(ground) -> None:
 
 @pytest.mark.parametrize(
     ("settings", "words"),
-    [({"scale": "free"}, "scale: expected"), ({"use_colors": "on"}, "use_colors: expected")],
+    [
+        ({"scale": "free"}, "scale: expected"),
+        ({"use_colors": "on"}, "map: has neither colors nor intensities"),
+    ],
 )
 def test_settings_that_a_map_cannot_have_are_refused(settings, words):
     with pytest.raises(ValueError, match=words):
         pyemtr.Localizer(np.random.default_rng(0).uniform(size=(100, 3)), **settings)
+
+
+def painted(points: np.ndarray) -> np.ndarray:
+    """Colors (N, 3) of places on a floor: those of the nearest of some marks."""
+    rng = np.random.default_rng(3)
+    marks, colors = rng.uniform(-10, 10, (500, 2)), rng.uniform(0.1, 0.9, (500, 3))
+    away = ((points[:, None, :2] - marks) ** 2).sum(axis=2)
+    return colors[away.argmin(axis=1)]
+
+
+@pytest.mark.parametrize("what", ["colors", "intensity"])
+def test_a_flat_floor_is_known_by_what_is_painted_on_it(what) -> None:
+    rng = np.random.default_rng(7)
+
+    def cloud(center: tuple[float, float], reach: float, count: int, pose: np.ndarray) -> Cloud:
+        places = np.column_stack([rng.uniform(-reach, reach, (count, 2)) + center, np.zeros(count)])
+        looks = painted(places)
+        points = apply(pose, places + rng.normal(scale=0.005, size=places.shape))
+        return Cloud(points, **{what: looks if what == "colors" else looks.mean(axis=1)})
+
+    floor = cloud((0, 0), 10, 40_000, np.eye(4))
+    pose = pose_at(2, -1, 0.7)
+    scan = cloud((2, -1), 3, 11_000, np.linalg.inv(pose))
+    guess = pose_at(2.4, -1.3, 0.8)
+
+    def located(use_colors: str) -> pyemtr.Location:
+        found = pyemtr.Localizer(floor, radius=1.0, preset="fast", use_colors=use_colors)
+        return found.localize(scan, guess)
+
+    location = located("on")
+    assert location.registered and location.by == "guess" and location.result.used_colors
+    assert off(location, pose) < 0.05
+    assert not located("off").registered
+
+
+def test_the_scans_must_have_colors_that_are_asked_for(ground) -> None:
+    colored = Cloud(ground, colors=painted(ground))
+    with pytest.raises(ValueError, match="source cloud: has neither colors"):
+        localizer(colored, use_colors="on").localize(scan_at(pose_at(0, 0, 0), 3))

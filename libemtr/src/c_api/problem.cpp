@@ -9,6 +9,7 @@
 #include "c_api/arguments.h"
 #include "c_api/guarded.h"
 #include "c_api/handles.h"
+#include "pipeline/require_colors.h"
 #include "pipeline/solve.h"
 #include "util/enum_number.h"
 
@@ -24,6 +25,8 @@ emtr_problem* make(InputCloud source, InputCloud target, const emtr_settings* se
   emtr::CancellationToken token(emtr::interrupt_function());
   auto problem = emtr::make_problem(source, target, emtr::settings_or_preset(settings), token);
   if (problem->stopped) throw emtr::Cancelled();
+  const emtr::NormalizedPair& pair = problem->pair;
+  emtr::require_colors(problem->settings, *pair.preprocessed_source, *pair.preprocessed_target);
   return new emtr_problem(std::move(problem));
 }
 

@@ -27,6 +27,10 @@ void run_stages(InputCloud& source, InputCloud& target, const Settings& user, St
   problem.pair = normalize(source, target, user);
   problem.prior = make_prior(settings, problem.pair.normalization);
   extrude_flat_pair(problem.pair, settings);
+  if (problem.pair.extruded && settings.use_colors == When::Always)
+    throw Error(EMTR_ERROR_ARGUMENT,
+                "clouds: flat across the axis, so that their outlines are registered and colors "
+                "cannot count; expected use_colors off or auto");
 
   load_user_matches(user, problem);
   if (problem.user_matches.matches.size() && settings.seeds > 0 && settings.candidates > 0 &&

@@ -5,6 +5,7 @@
 #include "kernels/kernels.h"
 #include "pipeline/problem.h"
 #include "pipeline/progress.h"
+#include "pipeline/require_colors.h"
 #include "pipeline/rival_results.h"
 #include "pipeline/scale_search.h"
 #include "pipeline/small_in_large.h"
@@ -36,24 +37,6 @@ Sizes sizes_of(Run& run) {
   } catch (const Cancelled&) {
     return Sizes::Alike;
   }
-}
-
-/// Throws Error where the settings insist on colors that the clouds do not have.
-void require_colors(const Run& run) {
-  if (!(run.settings.use_colors == When::Always)) return;
-  if (!run.source.preprocessed || !run.target.preprocessed) return;  // stopped before it was read
-  const ColorKind source = run.source.preprocessed->color_kind,
-                  target = run.target.preprocessed->color_kind;
-  const auto require = [](bool holds, const char* message) {
-    if (!holds) throw Error(EMTR_ERROR_ARGUMENT, message);
-  };
-  require(source != ColorKind::None,
-          "source cloud: has neither colors nor intensities, expected some for use_colors on");
-  require(target != ColorKind::None,
-          "target cloud: has neither colors nor intensities, expected some for use_colors on");
-  require(source == target,
-          "clouds: one has colors and the other intensities, expected the same of both for "
-          "use_colors on");
 }
 
 std::unique_ptr<Result> register_whole(Run& run) {
@@ -124,7 +107,8 @@ std::unique_ptr<Result> register_clouds(InputCloud& source, InputCloud& target,
   Run run{source, target, settings, token, {}};
   Stopwatch stopwatch;
   const Sizes sizes = sizes_of(run);
-  require_colors(run);
+  if (source.preprocessed && target.preprocessed)  // not stopped before
+    require_colors(settings, *source.preprocessed, *target.preprocessed);
   const bool fixed = settings.scale == ScaleSearched::Fixed;
   if (!fixed && !(source.preprocessed && target.preprocessed)) {  // stopped before it began
     const Settings rigid = settings_at_scale(settings, 1);

@@ -74,6 +74,19 @@ static void settings(const emtr_cloud* good) {
   refuse(good, good, &bad, EMTR_ERROR_SETTING, "guess");
 }
 
+/* Colors that the settings insist on: of a problem as of a registration. */
+static void colors(const emtr_cloud* good) {
+  emtr_cloud colored = *good, measured = *good;
+  emtr_settings on;
+  colored.colors = pair.source; /* any numbers will do */
+  measured.intensities = pair.source;
+  CHECK_OK(emtr_settings_init(&on, sizeof on, NULL));
+  on.use_colors = EMTR_ALWAYS;
+  refuse(good, &colored, &on, EMTR_ERROR_ARGUMENT, "source cloud: has neither colors");
+  refuse(&colored, good, &on, EMTR_ERROR_ARGUMENT, "target cloud: has neither colors");
+  refuse(&colored, &measured, &on, EMTR_ERROR_ARGUMENT, "one has colors and the other");
+}
+
 int main(void) {
   emtr_cloud good;
   if (bumpy_pair_make(&pair, 3, 500, 1.0)) return 1;
@@ -81,6 +94,7 @@ int main(void) {
   clouds(&good);
   arguments(&good);
   settings(&good);
+  colors(&good);
   bumpy_pair_free(&pair);
   return check_result();
 }
