@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "geometry/cloud.h"
@@ -28,10 +27,8 @@ inline const std::vector<float>& channel(const Cloud& cloud, int k) {
 
 constexpr float kFarthestColor = 4;  ///< standard deviations
 
-/// Makes channels of what ColorReader reads of the points of both clouds. Of intensities it takes
-/// the logarithm, less what a polynomial of fourth degree in the coordinates explains of it: the
-/// fall-off with range and the angle of incidence.
-Channels make_channels(const Cloud& source_points, const Cloud& source, const Cloud& target_points,
-                       const Cloud& target, ColorKind kind);
+/// Makes channels of what ColorReader reads of the points of both clouds; of intensities, without
+/// their fall-off.
+Channels make_channels(const Cloud& source, const Cloud& target);
 
 }  // namespace emtr

@@ -1,6 +1,7 @@
 #include "colors/color_comparison.h"
 
 #include "colors/correlogram.h"
+#include "colors/fall_off.h"
 #include "voxels/voxel_grid.h"
 #include "voxels/voxel_order.h"
 
@@ -10,9 +11,11 @@ namespace {
 constexpr double kLeastCoherence = 0.3;  // noise has 0
 constexpr double kNeighborReach = 2.1;   // leaves
 
-/// Returns the mean color at each point of the fine surface.
-Cloud fine_colors(const Cloud& points, const PreprocessedCloudPtr& from, double leaf) {
-  return mean_colors(points, from->colors, static_cast<float>(leaf));
+/// Returns the mean color at each point of the fine surface, that of a cloud; of intensities,
+/// without their fall-off.
+Cloud fine_colors(const Cloud& points, const PreprocessedCloud& from, const Surface& surface) {
+  Cloud out = mean_colors(points, from.colors, static_cast<float>(surface.leaf));
+  return from.color_kind == ColorKind::Intensities ? without_fall_off(surface, out) : out;
 }
 
 /// Tells whether neighbors are alike, at this leaf or at coarser ones: stripes as narrow as the
@@ -41,10 +44,9 @@ bool have_comparable_colors(const NormalizedPair& pair) {
 std::unique_ptr<ColorComparison> compare_colors(const NormalizedPair& pair,
                                                 const FineSurfaces& fine, const Kernels& kernels) {
   if (!have_comparable_colors(pair)) return nullptr;
-  Channels channels = make_channels(
-      fine.source->points, fine_colors(pair.source, pair.preprocessed_source, fine.leaf()),
-      fine.target->points, fine_colors(pair.target, pair.preprocessed_target, fine.leaf()),
-      pair.preprocessed_source->color_kind);
+  Channels channels =
+      make_channels(fine_colors(pair.source, *pair.preprocessed_source, *fine.source),
+                    fine_colors(pair.target, *pair.preprocessed_target, *fine.target));
   for (int k = 0; k < kChannels; ++k)
     channels.used[k] = channels.used[k] &&
                        is_coherent(fine.source->points, channels.source, k, fine.leaf()) &&

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "colors/channels.h"
 #include "colors/painted.h"
@@ -10,8 +9,6 @@
 namespace {
 
 using emtr::Channels;
-using emtr::Cloud;
-using emtr::ColorKind;
 using emtr_test::Painted;
 
 const emtr_test::Patches kPatches(1);
@@ -31,8 +28,7 @@ TEST(Channels, AreBlindToTheExposure) {
   Painted dark = bright;
   for (auto* channel : {&dark.colors.x, &dark.colors.y, &dark.colors.z})
     for (float& v : *channel) v = 0.5f * v + (channel == &dark.colors.x ? 0.1f : 0.0f);
-  const Channels channels = emtr::make_channels(bright.points, bright.colors, dark.points,
-                                                dark.colors, ColorKind::Colors);
+  const Channels channels = emtr::make_channels(bright.colors, dark.colors);
   ASSERT_TRUE(channels.any());
   for (std::size_t i = 0; i < bright.points.size(); ++i) {
     EXPECT_NEAR(channels.source.x[i], channels.target.x[i], 1e-3);
@@ -44,8 +40,7 @@ TEST(Channels, AreBlindToTheExposure) {
 TEST(Channels, HaveVarianceOneWhereTheyAreUsed) {
   const Painted a = emtr_test::painted_plane(kPatches, 2),
                 b = emtr_test::painted_plane(kPatches, 3);
-  const Channels channels =
-      emtr::make_channels(a.points, a.colors, b.points, b.colors, ColorKind::Colors);
+  const Channels channels = emtr::make_channels(a.colors, b.colors);
   for (const bool used : channels.used) EXPECT_TRUE(used);
   EXPECT_NEAR(variance(channels.source.x), 1, 0.05);
   EXPECT_NEAR(variance(channels.target.z), 1, 0.05);
@@ -58,60 +53,22 @@ TEST(Channels, OfOneColorAreNotUsed) {
     gray.colors.x[i] = 0.5f;
     gray.colors.y[i] = gray.colors.z[i] = 0;
   }
-  EXPECT_FALSE(
-      emtr::make_channels(a.points, a.colors, gray.points, gray.colors, ColorKind::Colors).any());
+  EXPECT_FALSE(emtr::make_channels(a.colors, gray.colors).any());
 }
 
 TEST(Channels, OfAGrayscaleAreOneChannel) {
   Painted a = emtr_test::painted_plane(kPatches, 2);
   for (std::size_t i = 0; i < a.points.size(); ++i) a.colors.y[i] = a.colors.z[i] = 0;
-  const Channels channels =
-      emtr::make_channels(a.points, a.colors, a.points, a.colors, ColorKind::Colors);
+  const Channels channels = emtr::make_channels(a.colors, a.colors);
   EXPECT_EQ(channels.used[0] + channels.used[1] + channels.used[2], 1);
 }
 
 TEST(Channels, APointWithoutAColorStaysWithout) {
   Painted a = emtr_test::painted_plane(kPatches, 2);
   a.colors.x[7] = a.colors.y[7] = a.colors.z[7] = std::numeric_limits<float>::quiet_NaN();
-  const Channels channels =
-      emtr::make_channels(a.points, a.colors, a.points, a.colors, ColorKind::Colors);
+  const Channels channels = emtr::make_channels(a.colors, a.colors);
   EXPECT_TRUE(std::isnan(channels.source.x[7]));
   EXPECT_FALSE(std::isnan(channels.source.x[8]));
-}
-
-TEST(Channels, IntensitiesLoseTheirFallOffWithRange) {
-  const Painted a = emtr_test::painted_plane(kPatches, 2);
-  Cloud near_left = a.colors, near_right = a.colors;
-  const auto received = [&](std::size_t i, double x) {
-    const double dx = a.points.x[i] - x, dy = a.points.y[i], squared = dx * dx + dy * dy + 1;
-    return static_cast<float>(100 * (1.2 + a.colors.x[i]) / squared);
-  };
-  for (std::size_t i = 0; i < a.points.size(); ++i) {
-    near_left.x[i] = received(i, -0.8);
-    near_right.x[i] = received(i, 0.8);
-    for (Cloud* cloud : {&near_left, &near_right}) cloud->y[i] = cloud->z[i] = 0;
-  }
-  const auto correlation = [&](ColorKind kind) {
-    const Channels channels = emtr::make_channels(a.points, near_left, a.points, near_right, kind);
-    double best = 0;
-    for (const auto& [from, to] : {std::pair{&channels.source.x, &channels.target.x},
-                                   std::pair{&channels.source.y, &channels.target.y},
-                                   std::pair{&channels.source.z, &channels.target.z}}) {
-      double sum = 0;
-      for (std::size_t i = 0; i < from->size(); ++i) sum += (*from)[i] * (*to)[i];
-      best = std::max(best, std::abs(sum) / static_cast<double>(from->size()));
-    }
-    return best;
-  };
-  EXPECT_LT(correlation(ColorKind::Colors), 0.8);
-  EXPECT_GT(correlation(ColorKind::Intensities), 0.95);
-}
-
-TEST(Channels, OfNoLightAtAllAreNotUsed) {
-  const Painted a = emtr_test::painted_plane(kPatches, 2);
-  Cloud dark;
-  dark.resize(a.points.size());
-  EXPECT_FALSE(emtr::make_channels(a.points, dark, a.points, dark, ColorKind::Intensities).any());
 }
 
 }  // namespace

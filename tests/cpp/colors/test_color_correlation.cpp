@@ -16,14 +16,13 @@ constexpr float kLeaf = 0.02f;
 ColorCorrelation compared(const Painted& a, const Painted& b) {
   const emtr::Cloud source = emtr::voxel_grid(a.points, kLeaf),
                     target = emtr::voxel_grid(b.points, kLeaf);
-  return {
-      source,
-      target,
-      emtr::make_channels(source, emtr::mean_colors(a.points, a.colors, kLeaf), target,
-                          emtr::mean_colors(b.points, b.colors, kLeaf), emtr::ColorKind::Colors),
-      kLeaf,
-      2000,
-      emtr::select_kernels()};
+  return {source,
+          target,
+          emtr::make_channels(emtr::mean_colors(a.points, a.colors, kLeaf),
+                              emtr::mean_colors(b.points, b.colors, kLeaf)),
+          kLeaf,
+          2000,
+          emtr::select_kernels()};
 }
 
 Rigid along_x(double x) { return emtr_test::motion({0, 0, 0}, {x, 0, 0}); }

@@ -34,10 +34,8 @@ struct Searched {
 
   emtr::Channels channels() const {
     const auto leaf = static_cast<float>(fine.leaf());
-    return emtr::make_channels(
-        fine.source->points, emtr::mean_colors(source.points, source.colors, leaf),
-        fine.target->points, emtr::mean_colors(target.points, target.colors, leaf),
-        emtr::ColorKind::Colors);
+    return emtr::make_channels(emtr::mean_colors(source.points, source.colors, leaf),
+                               emtr::mean_colors(target.points, target.colors, leaf));
   }
 
   emtr::FoundByColor search(const Rigid& start, int threads = 1) const {

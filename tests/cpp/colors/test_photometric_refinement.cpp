@@ -15,10 +15,9 @@ constexpr double kLeaf = 0.02;
 emtr::PhotometricResult refined(const Painted& source, const Painted& target, const Rigid& start) {
   const emtr::FineSurfaces fine = emtr_test::fine_surfaces_of(source.points, target.points, kLeaf);
   const auto leaf = static_cast<float>(fine.leaf());
-  const emtr::Channels channels = emtr::make_channels(
-      fine.source->points, emtr::mean_colors(source.points, source.colors, leaf),
-      fine.target->points, emtr::mean_colors(target.points, target.colors, leaf),
-      emtr::ColorKind::Colors);
+  const emtr::Channels channels =
+      emtr::make_channels(emtr::mean_colors(source.points, source.colors, leaf),
+                          emtr::mean_colors(target.points, target.colors, leaf));
   return emtr::PhotometricRefinement(fine, channels, emtr::select_kernels())(start, nullptr);
 }
 
