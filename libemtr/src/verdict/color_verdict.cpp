@@ -14,6 +14,9 @@ constexpr double kProof = 6, kMargin = 4;
 // each other (at most 1.3 on four unrelated walls), whatever the colors are like; the right one's
 // was 1.7 to 30 times the next on fifteen walls, floors, boxes and columns.
 constexpr double kRatio = 1.5;
+// Two places that are alike in part, such as the edge lines of two roads, agree by more than chance
+// and by little: 0.35 and 0.4 in two pairs, where right poses had 0.55 and more.
+constexpr double kLeastCorrelation = 0.45;
 
 double log_likelihood(const ColoredCandidate& c, double best_score) {
   const double score = std::max(c.candidate.score, kMinimumScore);
@@ -45,7 +48,8 @@ ColorVerdict judge_by_colors(const std::vector<ColoredCandidate>& candidates,
     clear = clear && *best - likelihood[i] > kMargin &&
             candidates[out.best].colors.evidence > kRatio * candidates[i].colors.evidence;
   }
-  out.decided = clear && is_more_than_chance(*best, looked_at);
+  out.decided = clear && candidates[out.best].colors.correlation > kLeastCorrelation &&
+                is_more_than_chance(*best, looked_at);
   // Rounded to digits that every C library's exponential agrees on.
   out.probability = std::min(std::round(1e6 / (1 + others)) / 1e6, 0.999999);
   return out;

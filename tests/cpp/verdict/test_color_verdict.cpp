@@ -8,10 +8,11 @@ using emtr::ColoredCandidate;
 using emtr::ColorVerdict;
 using emtr::judge_by_colors;
 
-ColoredCandidate candidate(double score, double evidence) {
+ColoredCandidate candidate(double score, double evidence, double correlation = 0.8) {
   ColoredCandidate out;
   out.candidate.score = score;
   out.colors.evidence = evidence;
+  out.colors.correlation = correlation;
   return out;
 }
 
@@ -42,6 +43,11 @@ TEST(ColorVerdict, TheLargestOfManyThatAreChanceIsNoProof) {
 TEST(ColorVerdict, ColorsOfALittleOverlapMustSayMore) {
   EXPECT_FALSE(judge_by_colors({candidate(0.1, 24), candidate(0.8, 2)}, 100000).decided);
   EXPECT_TRUE(judge_by_colors({candidate(0.5, 24), candidate(0.8, 2)}, 100000).decided);
+}
+
+TEST(ColorVerdict, PlacesThatAreAlikeInPartAreNoProof) {
+  EXPECT_FALSE(judge_by_colors({candidate(0.8, 40, 0.35), candidate(0.8, 12, 0.2)}, 100).decided);
+  EXPECT_TRUE(judge_by_colors({candidate(0.8, 40, 0.55), candidate(0.8, 12, 0.2)}, 100).decided);
 }
 
 TEST(ColorVerdict, AFarBetterFitOutweighsSomewhatBetterColors) {
