@@ -15,7 +15,7 @@ constexpr double kProof = 6, kMargin = 4;
 // was 1.7 to 30 times the next on fifteen walls, floors, boxes and columns.
 constexpr double kRatio = 1.5;
 // Two places that are alike in part, such as the edge lines of two roads, agree by more than chance
-// and by little: 0.35 and 0.4 in two pairs, where right poses had 0.55 and more.
+// and by little: 0.35 in one pair, where right poses had 0.55 and more.
 constexpr double kLeastCorrelation = 0.45;
 
 double log_likelihood(const ColoredCandidate& c, double best_score) {
