@@ -101,6 +101,7 @@ std::unique_ptr<Result> register_in_parts(const std::vector<ScenePart>& parts,
     if (!is_stopped(*again)) best = std::move(again);
   }
   std::vector<const Result*> rivals;
+  rivals.reserve(others.size());
   for (const auto& other : others) rivals.push_back(other.get());
   weigh_rivals(rivals, small, settings.minimum_confidence, *best);
   return best;
