@@ -71,7 +71,7 @@ Channels make_channels(const Cloud& source, const Cloud& target) {
   const Spread from = spread_of(source), to = spread_of(target);
   const Matrix3d both = from.covariance + to.covariance;
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(both);
-  const Matrix3d axes = solver.eigenvectors();
+  const Matrix3d& axes = solver.eigenvectors();
   Channels out;
   const double largest = std::sqrt(std::max(0.0, solver.eigenvalues()[2] / 2));
   const double least = std::max(kLeastDeviation, kLeastShare * largest);
