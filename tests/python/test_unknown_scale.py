@@ -190,3 +190,23 @@ def test_numbers_become_bounds(low, ratio):
     chosen = make_settings("default", {"scale": (low, low * ratio)})
     assert chosen.get("scale_minimum") == low
     assert chosen.get("scale_maximum") == low * ratio
+
+
+def bumpy_body(count, seed):
+    at = np.random.default_rng(seed).normal(size=(count, 3))
+    at /= np.linalg.norm(at, axis=1, keepdims=True)
+    x, y, z = at.T
+    bumps = 1 + 0.12 * np.sin(4 * x + 1) * np.sin(5 * y) + 0.1 * np.sin(6 * z + 2 * x)
+    return at * bumps[:, None] * [1.0, 0.8, 0.6]
+
+
+def test_two_sizes_of_one_body_in_a_scene_are_ambiguous():
+    larger = 1.5 * bumpy_body(8000, 21)
+    larger = larger[larger[:, 0] > 0]  # so that both have as many matches
+    scene = np.vstack([bumpy_body(6000, 10), larger + [4, 0, 0]])
+    result = pyemtr.register(bumpy_body(6000, 1), scene, scale="free", **QUICK)
+    assert result.reason == "ambiguous"
+    poses = [result.transformation, *(other.transformation for other in result.alternatives)]
+    scales = np.array([np.cbrt(np.linalg.det(T[:3, :3])) for T in poses])
+    for scale in (1, 1.5):
+        assert np.abs(scales / scale - 1).min() < 0.02

@@ -38,20 +38,23 @@ bool is_stopped(const Result& result) {
   return result.reason == EMTR_REASON_INTERRUPTED || result.reason == EMTR_REASON_TIME_LIMIT;
 }
 
-void weigh_rivals(const std::vector<const Result*>& others, const SmallCloud& small, double minimum,
-                  Result& best) {
-  const Rigid pose = moved(best, small);
-  bool rivaled = false;
-  for (const Result* other : others) {
-    if (!is_rival_score(other->score, best.score)) continue;  // or there is no score
-    if (is_same_pose(moved(*other, small), pose, kDistinctPose)) continue;
-    add_alternative(*other, best);
-    rivaled = true;
-  }
-  if (!rivaled || best.reason == EMTR_REASON_AMBIGUOUS) return;
+void add_rivals(const std::vector<const Result*>& rivals, double minimum, Result& best) {
+  for (const Result* rival : rivals) add_alternative(*rival, best);
+  if (rivals.empty() || best.reason == EMTR_REASON_AMBIGUOUS) return;
   best.confidence = lower_for_rival(best.confidence);
   best.registered = best.confidence >= minimum;
   if (!best.registered && !is_stopped(best)) best.reason = EMTR_REASON_AMBIGUOUS;
+}
+
+void weigh_rivals(const std::vector<const Result*>& others, const SmallCloud& small, double minimum,
+                  Result& best) {
+  const Rigid pose = moved(best, small);
+  std::vector<const Result*> rivals;
+  for (const Result* other : others)
+    if (is_rival_score(other->score, best.score) &&  // not without a score either
+        !is_same_pose(moved(*other, small), pose, kDistinctPose))
+      rivals.push_back(other);
+  add_rivals(rivals, minimum, best);
 }
 
 }  // namespace emtr

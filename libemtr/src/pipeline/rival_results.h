@@ -16,9 +16,13 @@ struct SmallCloud {
 /// Tells whether the run was stopped before its end.
 bool is_stopped(const Result& result);
 
+/// Adds results of the same two clouds that are as good an answer as `best` to its alternatives,
+/// and lowers its confidence, once.
+void add_rivals(const std::vector<const Result*>& rivals, double minimum, Result& best);
+
 /// Counts results of the same two clouds, found in other ways, among the answers: one that moves
-/// the small cloud to another place and scores nearly as well is an alternative of `best`, and
-/// lowers its confidence, once. Without it more search would only make a result surer.
+/// the small cloud to another place and scores nearly as well is a rival of `best`. Without it more
+/// search would only make a result surer.
 void weigh_rivals(const std::vector<const Result*>& others, const SmallCloud& small, double minimum,
                   Result& best);
 

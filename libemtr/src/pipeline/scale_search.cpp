@@ -53,6 +53,8 @@ std::unique_ptr<Neighbors> near_source(const SurfacePair& surfaces, const Kernel
 
 }  // namespace
 
+bool is_same_scale(double a, double b) { return std::abs(std::log(a / b)) <= kDistinctScale; }
+
 Settings settings_at_scale(const Settings& settings, double scale) {
   Settings out = settings;
   out.scale = static_cast<std::int32_t>(ScaleSearched::Fixed);
@@ -156,8 +158,9 @@ void ScaleSearch::search_at(double scale) {
   }
 }
 
+/// Tells whether two hypotheses are one answer, found twice.
 bool ScaleSearch::is_same(const Similarity& a, const Similarity& b) const {
-  if (std::abs(std::log(a.scale / b.scale)) > kDistinctScale) return false;
+  if (!is_same_scale(a.scale, b.scale)) return false;
   const auto moved = [&](const Similarity& similarity) {
     Rigid out = similarity.pose;
     out.t = similarity * Eigen::Vector3d::Map(source_.preprocessed->center) /

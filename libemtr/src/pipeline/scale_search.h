@@ -19,6 +19,9 @@ struct ScaleHypothesis {
   double score;
 };
 
+/// Tells whether two scales are too near for two answers.
+bool is_same_scale(double a, double b);
+
 /// Returns the settings for the source at a scale of its own: with the viewpoint that goes with it
 /// and no scale left to search.
 Settings settings_at_scale(const Settings& settings, double scale);
@@ -45,10 +48,8 @@ class ScaleSearch {
   /// Returns what was found, best first, no two of them the same.
   const std::vector<ScaleHypothesis>& ranked() const { return ranked_; }
 
-  /// Tells whether two hypotheses are one answer, found twice.
-  bool is_same(const Similarity& a, const Similarity& b) const;
-
  private:
+  bool is_same(const Similarity& a, const Similarity& b) const;
   void match_at(double octaves);
   void search_at_peaks(std::size_t count);
   void add(const ScaleHypothesis& hypothesis);

@@ -79,25 +79,4 @@ void judge_scale(const SimilarityFit& fit, bool scale_is_exact, const Settings& 
   }
 }
 
-void add_rival_scales(const std::vector<ScaleHypothesis>& rivals, double score,
-                      const Settings& settings, Result& result) {
-  if (rivals.empty()) return;
-  for (const ScaleHypothesis& rival : rivals) {
-    emtr_alternative& out = result.others.emplace_back();
-    to_matrix(rival.similarity, out.transformation);
-    out.score = std::min(result.score, result.score * (rival.score / score));
-    out.surface_fit = rival.score;
-    out.violation = out.evidence = kUnknown;
-  }
-  std::stable_sort(result.others.begin(), result.others.end(),
-                   [](const auto& a, const auto& b) { return a.score > b.score; });
-  result.alternatives = result.others.data();
-  result.alternative_count = result.others.size();
-  result.score_gap = result.score - result.others.front().score;
-  if (!(result.confidence >= settings.minimum_confidence)) return;
-  result.confidence = lower_for_rival(result.confidence);
-  result.registered = result.confidence >= settings.minimum_confidence;
-  if (!result.registered) result.reason = EMTR_REASON_AMBIGUOUS;
-}
-
 }  // namespace emtr

@@ -23,9 +23,4 @@ void write_similarity(const Problem& problem, const Solution& found, double scal
 void judge_scale(const SimilarityFit& fit, bool scale_is_exact, const Settings& settings,
                  Result& result);
 
-/// Adds the other similarities that fit about as well to the alternatives, and lowers the
-/// confidence if there are some.
-void add_rival_scales(const std::vector<ScaleHypothesis>& rivals, double score,
-                      const Settings& settings, Result& result);
-
 }  // namespace emtr
