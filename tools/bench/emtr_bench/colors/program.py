@@ -24,7 +24,7 @@ from .scenes import Case
 from .solvers import Answer, Solver, emtr_solver, open3d_solver
 
 HEAD = (
-    f"{'':<26}{'':<8}{'right':>7}{'registered':>12}{'wrong':>7}"
+    f"{'':<26}{'':<12}{'right':>7}{'registered':>12}{'wrong':>7}"
     f"{'degrees':>11}{'distance':>11}{'seconds':>9}  reasons"
 )
 
@@ -55,8 +55,8 @@ def solvers_of(arguments: argparse.Namespace) -> dict[str, Solver]:
     out = {}
     for name in dict.fromkeys(arguments.solvers):
         solver = (
-            open3d_solver()
-            if name == "open3d"
+            open3d_solver(starts_true=name == "open3d-true")
+            if name.startswith("open3d")
             else emtr_solver(arguments.preset, arguments.threads, name)
         )
         if solver:
@@ -126,6 +126,6 @@ def line(row: dict[str, Any]) -> str:
     right = f"{row['right']}/{row['cases']}"
     reasons = ", ".join(f"{count} {reason}" for reason, count in row["reasons"].items())
     return (
-        f"{row['scene']:<26}{row['solver']:<8}{right:>7}{row['registered']:>12}{row['wrong']:>7}"
+        f"{row['scene']:<26}{row['solver']:<12}{right:>7}{row['registered']:>12}{row['wrong']:>7}"
         f"{row['degrees']:>11.3g}{row['distance']:>11.3g}{row['seconds']:>9.2f}  {reasons}"
     )

@@ -50,9 +50,9 @@ def emtr_solver(preset: str, threads: int, use_colors: str) -> Solver:
     return solve
 
 
-def open3d_solver() -> Solver | None:
-    """RANSAC on FPFH, then colored ICP at three scales, as Open3D's tutorials do; None where it is
-    not installed."""
+def open3d_solver(starts_true: bool = False) -> Solver | None:
+    """RANSAC on FPFH, then colored ICP at three scales, as Open3D's tutorials do; or colored ICP
+    from the true pose, which tells how precise it can be. None where it is not installed."""
     if importlib.util.find_spec("open3d") is None:
         return None
     open3d: Any = importlib.import_module("open3d")
@@ -71,7 +71,7 @@ def open3d_solver() -> Solver | None:
         start = time.perf_counter()
         extent = float(np.linalg.norm(np.ptp(case.target, axis=0)))
         task = methods.Task(voxel=extent / 50, threads=1, seed=0)
-        pose = methods.ransac(case.source, case.target, task)
+        pose = case.truth if starts_true else methods.ransac(case.source, case.target, task)
         a = cloud(case.source, case.source_colors, case.source_intensity)
         b = cloud(case.target, case.target_colors, case.target_intensity)
         for voxel in (extent / 50, extent / 100, extent / 200):
