@@ -130,6 +130,24 @@ def test_deora_gives_more_to_the_task_that_gains():
     assert chances.sum() == pytest.approx(1.0) and chances[0] > chances[1] > 0.05
 
 
+def test_deora_rewards_the_task_that_gave_the_bases_of_better_trials():
+    before, after = np.array([4.0, 2.0, 8.0, 8.0]), np.array([4.0, 1.0, 8.0, 4.0])
+    bases = np.array([0, 1, 0, 1])  # both trials of the second task's bases were better
+    found = deora.rewards(before, after, bases, 0, 2)
+    assert found == pytest.approx([0.5 * 0.5 + 0.5 * 0.25, 0.5 * 0.5 + 0.5 * 0.5])
+    assert deora.changed(np.array([0.7, 0.3]), found, 0, 0.01) == pytest.approx([0.69, 0.31])
+    assert deora.changed(np.array([0.7, 0.3]), found[::-1], 0, 0.01) == pytest.approx([0.71, 0.29])
+    assert deora.rewards(before, after, np.zeros(4, dtype=int), 0, 2)[1] == 0.0
+
+
+def test_deora_takes_bases_from_the_other_task_and_differences_from_its_own():
+    rows = [np.full((50, 3), 0.2), np.full((50, 3), 0.8)]  # no differences within a task
+    trials, bases = deora._trials(rows, 0, np.array([0.5, 0.5]), np.random.default_rng(0))
+    moved = (trials == 0.8).any(axis=1)
+    assert np.isin(trials, (0.2, 0.8)).all() and np.array_equal(moved, bases == 1)
+    assert 10 < moved.sum() < 40
+
+
 def test_ranks_and_survivors_of_mfea():
     assert mfea.ranks(np.array([[3.0, 1.0], [1.0, 2.0]])).tolist() == [[1, 0], [0, 1]]
     x = np.arange(6.0)[:, None]

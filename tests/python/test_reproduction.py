@@ -77,6 +77,17 @@ def test_only_what_is_missing_is_run(tmp_path, monkeypatch):
     log.close()
 
 
+def test_long_sections_have_one_motion_of_each_kind(tmp_path):
+    from emtr_bench.pairs import Pair
+    from emtr_bench.protocol import CLASSES
+
+    pair = Pair("bunny", "paper", tmp_path, "Bunny")
+    sections, names = ("library", "precision", "traditional"), {"traditional": ["FGR"]}
+    every = [plan.runs_of(sections, pair, i, [pair], plan.Context(), names) for i in range(20)]
+    found = [{section for section, _ in runs} for runs in every]
+    assert found == [set(sections)] * len(CLASSES) + [{"library"}] * (20 - len(CLASSES))
+
+
 def test_published_figures():
     assert published.value("errors_alpha_beta", "Bunny", "E_R_alpha") == Published(0.233, 0.12)
     assert published.value("sparse_to_dense", "7a (stand-in)", "ratio") == Published(51.1)
@@ -214,6 +225,8 @@ def test_the_fitness_in_python_is_the_librarys(relief):
     T[:3, 3] = -T[:3, :3] @ [5, 6, 7]
     for particle in (problem.to_particle(T), np.array([0.3, 0.2, -0.1, 0.02, 0.0, 0.05])):
         assert fitness(particle) == pytest.approx(problem.evaluate_alpha(particle), rel=1e-4)
+    rows = np.array([[0.3, 0.2, -0.1, 0.02, 0.0, 0.05], problem.to_particle(T)])
+    assert fitness(rows) == pytest.approx(problem.evaluate_alpha(rows), rel=1e-4)
     whole = precision.chamfer(problem, source, target, "centroids", "whole", problem.c_dense)
     assert whole(problem.to_particle(T)) < fitness(problem.to_particle(T))
 

@@ -2,18 +2,20 @@
 differential evolution with online resource allocation.
 
 A generation goes to one task. The first share beta of the budget is dealt out evenly; then a task
-is chosen by the rewards that it had, newer ones counting more. Mutants of DE/rand/1 take their
-difference from the other task with chance rmp.
+is chosen by the rewards that it had, newer ones counting more. A mutant of DE/rand/1 takes its base
+from another task's population with chance rmp, and its difference from its own. A task from which
+bases were taken has a reward too. Where it is as large as that of the task itself rmp grows, else
+it shrinks.
 
-The paper's formula for the change of rmp is not public in full. Here rmp is 2 rmp0 times the share
-of the crossed trials which survived, over that share and the one of the others together.
+The method is for tasks whose values can be compared, and measures the gain of the best against the
+best of all tasks. The tasks here cannot be compared: each gain is a share of the task's own best.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from .operators import binomial_crossover, halfway_into_bounds, two_others
+from .operators import binomial_crossover, halfway_into_bounds
 from .problem import Array, Problem
 
 PER_TASK = 50
@@ -29,63 +31,75 @@ def optimise(problem: Problem, rng: np.random.Generator) -> None:
     tasks = len(problem.tasks)
     rows = [rng.random((PER_TASK, problem.dimensions)) for _ in range(tasks)]
     fitness = [problem.evaluate(rows[k], k) for k in range(tasks)]
-    mating = np.full(tasks, MATING)
-    rewards: list[Array] = []
+    mating = np.full((tasks, tasks), MATING / max(1, tasks - 1))
+    np.fill_diagonal(mating, 1.0 - MATING if tasks > 1 else 1.0)
+    step = 1.0 / generations(problem)
+    history: list[Array] = []
     while not problem.spent:
-        if problem.progress < EVEN_SHARE or not rewards:
-            k = int(rng.integers(tasks))
-        else:
-            k = int(rng.choice(tasks, p=chances(np.array(rewards))))
-        trials, crossed = _trials(rows, k, mating[k], rng)
+        even = problem.progress < EVEN_SHARE or not history
+        k = int(rng.integers(tasks) if even else rng.choice(tasks, p=chances(np.array(history))))
+        trials, bases = _trials(rows, k, mating[k], rng)
         trial_fitness = problem.evaluate(trials, k)
-        before = fitness[k].copy()
-        better = trial_fitness < fitness[k]
+        before = fitness[k]
+        better = trial_fitness < before
         rows[k] = np.where(better[:, None], trials, rows[k])
-        fitness[k] = np.where(better, trial_fitness, fitness[k])
-        reward = np.zeros(tasks)
-        reward[k] = BEST_WEIGHT * _gain(before.min(), fitness[k].min()) + (1.0 - BEST_WEIGHT) * (
-            float(np.mean([_gain(*pair) for pair in zip(before, fitness[k])]))
-        )
-        rewards.append(reward)
-        mating[k] = _mating(better, crossed, mating[k])
+        fitness[k] = np.where(better, trial_fitness, before)
+        history.append(rewards(before, fitness[k], bases, k, tasks))
+        mating[k] = changed(mating[k], history[-1], k, step)
 
 
-def chances(rewards: Array) -> Array:
+def generations(problem: Problem) -> float:
+    """How many the budget allows when all tasks have as many."""
+    cost = float(np.mean([task.cost for task in problem.tasks]))
+    affordable = problem.limit / cost if cost > 0.0 else problem.most_evaluations
+    return max(1.0, min(affordable, problem.most_evaluations) / PER_TASK)
+
+
+def chances(history: Array) -> Array:
     """The chance of each task (K,) by the rewards of all generations (G, K)."""
-    tasks = rewards.shape[1]
-    weights = FORGETTING ** np.arange(len(rewards) - 1, -1, -1.0)
-    mean = weights @ rewards / weights.sum()
+    tasks = history.shape[1]
+    weights = FORGETTING ** np.arange(len(history) - 1, -1, -1.0)
+    mean = weights @ history / weights.sum()
     if mean.sum() <= 0.0:
         return np.full(tasks, 1.0 / tasks)
     return LEAST_CHANCE / tasks + (1.0 - LEAST_CHANCE) * mean / mean.sum()
 
 
+def rewards(before: Array, after: Array, bases: Array, k: int, tasks: int) -> Array:
+    """The reward of each task (tasks,) for a generation of task k, by the fitness before and after
+    it (P,) and the task of each trial's base (P,)."""
+    gains = (before - after) / np.maximum(np.abs(before), 1e-12)
+    leader = int(np.argmin(after))
+    best = max(0.0, float(before.min() - after.min())) / max(abs(float(before.min())), 1e-12)
+    found = np.zeros(tasks)
+    for task in range(tasks):
+        own = np.ones(len(bases), dtype=bool) if task == k else bases == task
+        if own.any():
+            found[task] = BEST_WEIGHT * best * own[leader] + (1.0 - BEST_WEIGHT) * (
+                float(gains[own].mean())
+            )
+    return found
+
+
+def changed(mating: Array, reward: Array, k: int, step: float) -> Array:
+    """The chances of each task to give task k a base, (K,), after a generation of it."""
+    made = mating.copy()
+    for task in range(len(made)):
+        if task != k:
+            change = step if reward[task] >= reward[k] else -step
+            made[task], made[k] = np.clip([made[task] + change, made[k] - change], 0.0, 1.0)
+    return made
+
+
 def _trials(
-    rows: list[Array], k: int, mating: float, rng: np.random.Generator
+    rows: list[Array], k: int, mating: Array, rng: np.random.Generator
 ) -> tuple[Array, Array]:
-    """DE/rand/1/bin of task k, and which trials had another task's difference."""
+    """DE/rand/1/bin of task k, and the task that each base is of."""
     x = rows[k]
-    first, second = two_others(len(x), rng)
-    third = rng.integers(len(x), size=len(x))
-    crossed = rng.random(len(x)) < (mating if len(rows) > 1 else 0.0)
-    difference = x[second] - x[third]
-    if crossed.any():
-        other = rows[int(rng.choice([j for j in range(len(rows)) if j != k]))]
-        a, b = two_others(len(x), rng)
-        difference = np.where(crossed[:, None], other[a] - other[b], difference)
-    mutants = x[first] + FACTOR * difference
-    return binomial_crossover(x, halfway_into_bounds(mutants, x), CROSSOVER, rng), crossed
-
-
-def _gain(before: float, after: float) -> float:
-    """How much better, as a share."""
-    return max(0.0, float(before - after)) / max(abs(float(before)), 1e-12)
-
-
-def _mating(better: Array, crossed: Array, now: float) -> float:
-    if not crossed.any() or crossed.all():
-        return now
-    with_other, alone = float(better[crossed].mean()), float(better[~crossed].mean())
-    if with_other + alone == 0.0:
-        return now
-    return float(np.clip(2.0 * MATING * with_other / (with_other + alone), 0.05, 1.0))
+    bases = rng.choice(len(rows), size=len(x), p=mating / mating.sum())
+    keys = rng.random((len(x), len(x)))
+    np.fill_diagonal(keys, 2.0)  # never the row itself
+    base, first, second = np.argsort(keys, axis=1)[:, :3].T
+    origin = np.stack(rows)[bases, base]
+    mutants = origin + FACTOR * (x[first] - x[second])
+    return binomial_crossover(x, halfway_into_bounds(mutants, x), CROSSOVER, rng), bases

@@ -113,8 +113,9 @@ def _methods(records: Sequence[Record]) -> list[str]:
         "EMFPCR is not public in all its formulas: its robust fitness is here task alpha on the "
         "sparse clouds, its precise fitness task alpha on the dense clouds, and its transfer moves "
         "the best of each swarm, one way in the first half and both ways in the second.",
-        "DEORA's change of rmp is not public in full: here it follows the share of crossed trials "
-        "that survive. MTEA-AD begins with all of the other task's individuals.",
+        "DEORA is made for tasks whose values can be compared. Those of alpha and beta cannot: a "
+        "gain is here a share of the task's own best. MTEA-AD begins with all of the other task's "
+        "individuals.",
         "The multi-task methods drive task alpha on the dense clouds and task beta in one unified "
         "space. What the paper let them drive is not said.",
     ]

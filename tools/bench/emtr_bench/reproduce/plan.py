@@ -30,6 +30,8 @@ LIBRARY: dict[str, tuple[str, dict[str, Any]]] = {
 }
 RATES = tuple(round(0.1 * i, 1) for i in range(11))  # rmp
 SWITCHES = tuple(round(0.1 * i, 1) for i in range(10))  # delta
+#: Sections whose runs are long have the first motions of each pair only, one of each kind.
+MOST_MOTIONS = {"precision": 5, "traditional": 5}
 SWEEP_ROW = "Bunny"  # that the paper varies rmp and delta on
 
 
@@ -75,7 +77,7 @@ def is_swept(pair: Pair, pairs: Sequence[Pair]) -> bool:
 
 
 def runs_of(
-    sections: Sequence[str], pair: Pair, pairs: Sequence[Pair], context: Context,
+    sections: Sequence[str], pair: Pair, index: int, pairs: Sequence[Pair], context: Context,
     names: dict[str, Sequence[str]],
 ) -> list[tuple[str, str]]:  # fmt: skip
     """The runs of one pair and motion. `names` are the methods of the sections that know theirs."""
@@ -91,6 +93,8 @@ def runs_of(
     found = []
     for section in sections:
         if section == "sweep" and not is_swept(pair, pairs):
+            continue
+        if index >= MOST_MOTIONS.get(section, index + 1):
             continue
         found += [(section, name) for name in known.get(section, ())]
     return found
@@ -110,11 +114,11 @@ def function_works(context: Context, seeds: int) -> list[Work]:
     """The runs on functions with known optima; a pair of tasks is no pair of clouds, but has its
     place in the log."""
     users = {method.name for method in context.user_methods}
-    names = [name for name in context.methods if name not in users]
-    names += public_methods.CLASSES if public_methods.there() else []
-    runs = tuple(("functions", name) for name in names)
-    return [
-        Work(Pair(name, "functions", Path()), seed, runs)
-        for name in functions.NAMES
-        for seed in range(seeds)
-    ]
+    ours = [name for name in context.methods if name not in users]
+    public = list(public_methods.CLASSES) if public_methods.there() else []
+    found = []
+    for name in functions.NAMES:
+        methods = ours + (public if name in public_methods.FUNCTIONS else [])
+        runs = tuple(("functions", method) for method in methods)
+        found += [Work(Pair(name, "functions", Path()), seed, runs) for seed in range(seeds)]
+    return found

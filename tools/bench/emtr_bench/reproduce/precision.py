@@ -68,7 +68,7 @@ def _optimum(pair: Pair, index: int, threads: int, points: str, among: str, c: f
     fitness = chamfer(problem, case.source, case.target, points, among, c * problem.leaf_dense)
     start = problem.to_particle(case.motion.T_true)
     simplex = np.vstack([start, start + FIRST_STEP * np.eye(6)])
-    found = minimize(fitness, start, method="Nelder-Mead",
+    found = minimize(lambda row: fitness(row)[0], start, method="Nelder-Mead",
                      options={"initial_simplex": simplex, "maxfev": MOST_EVALUATIONS,
                               "xatol": 1e-6, "fatol": 1e-6})  # fmt: skip
     dense = len(problem.source_dense) + len(problem.target_dense)
@@ -77,9 +77,9 @@ def _optimum(pair: Pair, index: int, threads: int, points: str, among: str, c: f
 
 def chamfer(
     problem: pyemtr.Problem, source: Array, target: Array, points: str, among: str, c: float
-) -> Callable[[Array], float]:
-    """Task alpha's fitness on the dense clouds, as a function of a particle (6,), with other points
-    than the library's. With "centroids" twice it is the library's."""
+) -> Callable[[Array], Array]:
+    """Task alpha's fitness on the dense clouds, as a function of particles (P, 6), with other
+    points than the library's. With "centroids" twice it is the library's."""
     from scipy.spatial import cKDTree
 
     whole = [(cloud - center) / problem.normalization_scale for cloud, center in
@@ -92,19 +92,20 @@ def chamfer(
     queries, trees = clouds[points], [cKDTree(cloud) for cloud in clouds[among]]
     pose = _normalized(problem)
 
-    def fitness(particle: Array) -> float:
-        T = pose(particle)
-        inverse = np.linalg.inv(T)
-        return rho(trees[1], apply(T, queries[0]), c) + rho(trees[0], apply(inverse, queries[1]), c)
+    def fitness(particles: Array) -> Array:
+        poses = [pose(particle) for particle in np.atleast_2d(particles)]
+        there = np.array([apply(T, queries[0]) for T in poses])
+        back = np.array([apply(np.linalg.inv(T), queries[1]) for T in poses])
+        return rho(trees[1], there, c) + rho(trees[0], back, c)
 
     return fitness
 
 
-def rho(tree: Any, points: Array, c: float) -> float:
-    """The sum of Tukey's function over the distances to the nearest points."""
+def rho(tree: Any, points: Array, c: float) -> Array:
+    """The sums of Tukey's function over the distances of rows of points (P, n, 3) to the nearest
+    ones, (P,)."""
     distances = tree.query(points, distance_upper_bound=c)[0]
-    near = distances[np.isfinite(distances)] / c
-    return float(len(points) - ((1.0 - near**2) ** 3).sum())
+    return (1.0 - (1.0 - np.minimum(distances / c, 1.0) ** 2) ** 3).sum(axis=1)
 
 
 def farthest(points: Array, count: int) -> Array:

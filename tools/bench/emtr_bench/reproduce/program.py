@@ -66,7 +66,7 @@ def _reproduce(arguments: argparse.Namespace) -> int:
     for note in notes:
         print(f"not run, {note}", flush=True)
     works = [
-        Work(pair, index, tuple(plan.runs_of(sections, pair, pairs, context, names)))
+        Work(pair, index, tuple(plan.runs_of(sections, pair, index, pairs, context, names)))
         for pair in pairs
         for index in range(transforms)
     ]

@@ -14,6 +14,8 @@ CLASSES = {
     "JADE by mealpy": ("evolutionary_based.DE", "JADE"),
     "L-SHADE by mealpy": ("evolutionary_based.SHADE", "L_SHADE"),
 }
+#: What they run on: they have a single task, and one pair of tasks is like another to them.
+FUNCTIONS = ("sphere", "rastrigin", "same place")
 POPULATION = 50
 
 
