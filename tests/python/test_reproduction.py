@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from accuracy_fakes import REPOSITORY
 from emtr_bench.pairs import DataError
-from emtr_bench.reproduce import claims, plan, published, significance, tables
+from emtr_bench.reproduce import claims, differences, plan, published, significance, tables
 from emtr_bench.reproduce.figures_of_runs import mean_over_pairs, percent, spread
 from emtr_bench.reproduce.published import Published
 from emtr_bench.reproduce.run_log import RunLog
@@ -140,6 +140,23 @@ def test_tables_of_runs():
     assert tables.lower_in(made["sparse_to_dense"], 0) == (0, 6)
 
 
+def test_what_the_larger_budget_gives_has_its_table_and_its_sentence():
+    runs = some_runs() + [record("evaluations", "PSO", pair, 0) for pair in ("a", "b")]
+    made = {table.name: table for table in tables.made(runs)}
+    assert [cells[0].ours for _, cells in made["success_by_pair_evaluations"].rows] == [100.0] * 2
+    assert [cells[0].ours for _, cells in made["success_by_pair"].rows] == [0.0] * 6
+    said = "PSO succeeds in 0.0 % with EMTR-SSC's queries, and in 100.0 % with its evaluations"
+    assert any(said in line for line in differences.text(runs, []))
+    assert not any("The budget decides" in line for line in differences.text(some_runs(), []))
+
+
+def test_errors_against_the_traditional_methods_are_of_the_same_motions():
+    runs = [record("library", plan.OURS, index=i, E_R=1.0 + i) for i in range(3)]
+    runs += [record("traditional", "FGR", index=0, E_R=2.0)]
+    rows = tables.traditional(runs).rows
+    assert rows[0][1][-1].ours == Published(1.0) and rows[0][1][-2].ours == Published(2.0)
+
+
 def test_claims_are_tested_pair_by_pair():
     found = {test.claim: test for tests in claims.families(some_runs()).values() for test in tests}
     won = found["higher success than PSO, by pair"]
@@ -217,25 +234,25 @@ def relief():
 
 
 def test_the_fitness_in_python_is_the_librarys(relief):
-    from emtr_bench.reproduce import precision
+    from emtr_bench.reproduce import chamfer
 
     source, target, problem = relief
-    fitness = precision.chamfer(problem, source, target, "centroids", "centroids", problem.c_dense)
+    fitness = chamfer.fitness(problem, source, target, ("centroids", "centroids", 1.2))
     T = np.diag([1.0, -1.0, -1.0, 1.0])
     T[:3, 3] = -T[:3, :3] @ [5, 6, 7]
     for particle in (problem.to_particle(T), np.array([0.3, 0.2, -0.1, 0.02, 0.0, 0.05])):
         assert fitness(particle) == pytest.approx(problem.evaluate_alpha(particle), rel=1e-4)
     rows = np.array([[0.3, 0.2, -0.1, 0.02, 0.0, 0.05], problem.to_particle(T)])
     assert fitness(rows) == pytest.approx(problem.evaluate_alpha(rows), rel=1e-4)
-    whole = precision.chamfer(problem, source, target, "centroids", "whole", problem.c_dense)
+    whole = chamfer.fitness(problem, source, target, ("centroids", "whole", 1.2))
     assert whole(problem.to_particle(T)) < fitness(problem.to_particle(T))
 
 
 def test_farthest_points_are_far_apart():
-    from emtr_bench.reproduce import precision
+    from emtr_bench.reproduce import chamfer
 
     points = np.random.default_rng(0).random((500, 3))
-    chosen = precision.farthest(points, 20)
+    chosen = chamfer.farthest(points, 20)
     distances = np.linalg.norm(chosen[:, None] - chosen[None], axis=2) + np.eye(20)
     assert len(np.unique(chosen, axis=0)) == 20 and distances.min() > 0.3
 

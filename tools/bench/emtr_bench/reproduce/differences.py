@@ -61,6 +61,7 @@ def _success(records: Sequence[Record]) -> list[str]:
                 "published: all. Ours, and the published ones in parentheses: "
                 + ", ".join(f"{n} {a:.1f} ({b:.1f})" for n, a, b in compared) + " %."
             )  # fmt: skip
+    points += _budgets(records)
     if chosen(records, "evolving") and not chosen(records, "evaluations"):
         points.append("The published figures of the evolving methods are most likely of the larger "
                       "budget, which was not run here (section `evaluations`).")  # fmt: skip
@@ -68,6 +69,21 @@ def _success(records: Sequence[Record]) -> list[str]:
     points.append(f"The figures of success are of {runs} runs a method, so that one run is "
                   f"{100.0 / runs:.1f} %.")  # fmt: skip
     return points
+
+
+def _budgets(records: Sequence[Record]) -> list[str]:
+    """Which method the larger budget helps most."""
+    gains = []
+    for name in dict.fromkeys(r["method"] for r in chosen(records, "evaluations")):
+        few, many = (mean_over_pairs(chosen(records, section, name), percent)
+                     for section in ("evolving", "evaluations"))  # fmt: skip
+        if not math.isnan(few):
+            gains.append((many - few, name, few, many))
+    if not gains:
+        return []
+    _, name, few, many = max(gains)
+    return [f"The budget decides much: {name} succeeds in {few:.1f} % with EMTR-SSC's queries, and "
+            f"in {many:.1f} % with its evaluations, which are twice the generations."]  # fmt: skip
 
 
 def _precision(tables: Sequence[Table]) -> list[str]:

@@ -11,12 +11,13 @@ import numpy as np
 
 from ..whole_file import write_whole
 from . import plan, published
-from .figures_of_runs import chosen, mean_over_pairs, percent, spread
+from .figures_of_runs import chosen, mean_over_pairs, pair_rows, percent, spread
 from .run_log import Record
-from .tables import pair_rows
 
 Records = Sequence[Record]
 OURS_COLOR, OTHER_COLOR, PAPER_COLOR = "#b03a2e", "#7f8c8d", "#2e6da4"
+#: Of the other methods; no red, which is ours.
+COLORS = ("C0", "C1", "C2", "C4", "C5", "C6", "C7", "C8", "C9", "#1b2631", "#a9cce3", "#f5b7b1")
 
 
 def canvas(rows: int = 1, columns: int = 1, size: tuple[float, float] = (8.0, 3.6)) -> Any:
@@ -67,20 +68,29 @@ def success_bars(records: Records, path: Path) -> Path | None:
     mine, ours = chosen(records, "evolving"), chosen(records, "library", plan.OURS)
     if not mine or not ours:
         return None
-    names = list(dict.fromkeys(r["method"] for r in mine))
-    rows = pair_rows(mine)
-    figure, axes = canvas(size=(11.0, 3.8))
+    budgets = [(mine, "EMTR-SSC's queries")]
+    if dense := chosen(records, "evaluations"):
+        budgets.append((dense, "its evaluations, all dense"))
+    figure, axes = canvas(len(budgets), 1, (11.0, 0.6 + 3.2 * len(budgets)))
+    for axis, (runs, title) in zip(axes[:, 0], budgets):
+        _bars_by_pair(axis, runs, ours)
+        axis.set_title(title, fontsize=9, loc="left")
+    handles, labels = axes[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, fontsize=7, ncols=len(labels), loc="outside upper center")
+    return save(figure, path)
+
+
+def _bars_by_pair(axis: Any, mine: Records, ours: Records) -> None:
+    names, rows = list(dict.fromkeys(r["method"] for r in mine)), pair_rows(mine)
     width = 0.86 / (len(names) + 1)
     for i, name in enumerate([*names, plan.OURS]):
-        section, runs = ("library", ours) if name == plan.OURS else ("evolving", mine)
-        values = [percent(chosen(runs, section, name, pair)) for pair in rows]
+        runs = ours if name == plan.OURS else [r for r in mine if r["method"] == name]
+        values = [percent([r for r in runs if r["pair"] == pair]) for pair in rows]
         places = np.arange(len(rows)) + width * (i - len(names) / 2)
-        axes[0, 0].bar(places, values, width, label=name,
-                       color=OURS_COLOR if name == plan.OURS else f"C{i % 10}")  # fmt: skip
-    axes[0, 0].set_xticks(range(len(rows)), list(rows.values()), rotation=30, ha="right")
-    axes[0, 0].set_ylabel("success, %")
-    axes[0, 0].legend(fontsize=7, ncols=6, loc="upper center", bbox_to_anchor=(0.5, 1.25))
-    return save(figure, path)
+        axis.bar(places, values, width, label=name,
+                 color=OURS_COLOR if name == plan.OURS else COLORS[i % len(COLORS)])  # fmt: skip
+    axis.set_xticks(range(len(rows)), list(rows.values()), rotation=30, ha="right")
+    axis.set_ylabel("success, %")
 
 
 def sweep(records: Records, path: Path) -> Path | None:
@@ -145,7 +155,7 @@ def convergence(records: Records, path: Path) -> Path | None:
             known = np.isfinite(curves).all(axis=0)
         axes[0, 0].plot(grid[known] * 1e-6, np.median(curves[:, known], axis=0), label=name,
                         lw=2.4 if ours else 1.2,
-                        color=OURS_COLOR if ours else f"C{i % 10}")  # fmt: skip
+                        color=OURS_COLOR if ours else COLORS[i % len(COLORS)])  # fmt: skip
     axes[0, 0].set_xlabel("million nearest-neighbor queries")
     axes[0, 0].set_ylabel("best mean of rho, dense")
     axes[0, 0].legend(fontsize=8, ncols=2)
@@ -167,7 +177,7 @@ def _published_success(name: str) -> float:
 ALL: tuple[tuple[str, str, Callable[[Records, Path], Path | None]], ...] = (
     ("average_success", "Average success ratio, with both budgets, beside the paper's",
      average_success),
-    ("success_bars", "Success by pair, with EMTR-SSC's queries", success_bars),
+    ("success_bars", "Success by pair", success_bars),
     ("sweep", "Success and errors over rmp and delta", sweep),
     ("complement", "Knowledge complement on and off", complement),
     ("convergence", "Convergence: the median over all runs",

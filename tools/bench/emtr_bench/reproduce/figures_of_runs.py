@@ -27,6 +27,11 @@ def chosen(
     ]  # fmt: skip
 
 
+def pair_rows(records: Sequence[Record]) -> dict[str, str]:
+    """Name of each pair: what its row is called, the paper's name where it has one."""
+    return {r["pair"]: r["row"] or r["pair"] for r in records}
+
+
 def percent(records: Sequence[Record]) -> float:
     return 100.0 * float(np.mean([success(r) for r in records])) if records else math.nan
 

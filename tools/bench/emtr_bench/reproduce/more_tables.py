@@ -11,6 +11,7 @@ from .figures_of_runs import chosen, mean, mean_over_pairs, percent, spread, suc
 from .modelnet import CLEAN, MADE_NAME, NOISY
 from .run_log import Record
 from .table import Cell, Table
+from .tables import first_motions
 
 Records = Sequence[Record]
 
@@ -61,7 +62,7 @@ def readings(records: Records) -> Table | None:
         notes=["Each pair has the same weight. A search is a run of preset `paper` with this "
                "change. An optimum is where the fitness function itself is best near the true "
                "pose: where a search ends that converges. The published mean is that of the same "
-               "rows."],
+               "rows. " + first_motions("precision")],
     )  # fmt: skip
     for name in precision.METHODS:
         runs = chosen(mine, "precision", name)
@@ -88,7 +89,7 @@ def functions(records: Records) -> Table | None:
         notes=["The median of the best value after 10 000 evaluations a task; every optimum is 0. "
                "Sphere and Rastrigin have 10 dimensions; the pairs are Ackley, which counts, with "
                "Griewank beside it, and say where the second optimum is. Single-task methods have "
-               "Ackley alone."],
+               "Ackley alone, and those of a public library one pair of tasks."],
     )  # fmt: skip
     for method in dict.fromkeys(r["method"] for r in mine):
         cells = []

@@ -10,8 +10,8 @@ from collections.abc import Callable, Sequence
 
 from evolving_methods.methods import CONTROLS, METHODS
 
-from . import plan, published
-from .figures_of_runs import chosen, mean, mean_over_pairs, percent, spread
+from . import plan, published, success_tables
+from .figures_of_runs import chosen, mean, mean_over_pairs, pair_rows, percent, spread
 from .run_log import Record
 from .table import Cell, Table
 
@@ -19,9 +19,11 @@ Records = Sequence[Record]
 TRADITIONAL = ("ICP+", "NDT+", "TrICP+", "FGR")
 
 
-def pair_rows(records: Records) -> dict[str, str]:
-    """Name of each pair: what its row is called, the paper's name where it has one."""
-    return {r["pair"]: r["row"] or r["pair"] for r in records}
+def first_motions(section: str) -> str:
+    """What a table says of a section that does not have all motions."""
+    return (
+        f"The first {plan.MOST_MOTIONS[section]} motions of each pair, one of each kind, at most."
+    )
 
 
 def alpha_beta(records: Records) -> Table | None:
@@ -55,11 +57,14 @@ def traditional(records: Records) -> Table | None:
         "errors_vs_traditional", "Errors against the traditional methods",
         ["data", "metric", *TRADITIONAL, plan.OURS],
         notes=["Means over the successes (E_R below 5 degrees), with the number of successes in "
-               "percent in the rows of E_R < 5. A dash: no run succeeded; blank: not run."],
+               "percent in the rows of E_R < 5. A dash: no run succeeded; blank: not run. "
+               + first_motions("traditional")],
     )  # fmt: skip
+    indices = {r["index"] for r in mine}
     for pair, row in pair_rows(mine).items():
         both = [*mine, *chosen(records, "library", plan.OURS)]
-        runs = {name: [r for r in both if r["pair"] == pair and r["method"] == name]
+        runs = {name: [r for r in both if r["pair"] == pair and r["method"] == name
+                       and r["index"] in indices]
                 for name in (*TRADITIONAL, plan.OURS)}  # fmt: skip
         for metric, column, factor in (("E_R_deg", "E_R", 1.0), ("E_t_x100", "E_t", 100.0)):
             cells = [
@@ -70,65 +75,6 @@ def traditional(records: Records) -> Table | None:
             table.rows.append((row, [Cell(metric), *cells]))
         table.rows.append((row, [Cell("E_R < 5, %"), *(Cell(percent(r), digits=1)
                                                       for r in runs.values())]))  # fmt: skip
-    return table
-
-
-def success_ratio(records: Records) -> Table | None:
-    """The average success ratio of each method over the pairs, with both budgets."""
-    mine = chosen(records, "evolving")
-    if not mine:
-        return None
-    dense = chosen(records, "evaluations")
-    table = Table(
-        "success_ratio", "Average success ratio of the evolving methods",
-        ["method", "EMTR-SSC's queries, %", "its evaluations, %", "mean of rho found",
-         "million queries", "runs"],
-        notes=["Success: E_R below 5 degrees; each pair has the same weight. The first column "
-               "stops a method after the nearest-neighbor queries that EMTR-SSC needs by the "
-               "paper's formula. The second after as many evaluations of task alpha as EMTR-SSC "
-               "makes, all on the dense clouds, which is about twice the queries and, by the "
-               "paper's run times, what the paper gave them."],
-    )  # fmt: skip
-    ours = chosen(records, "library", plan.OURS)
-    names = [method.name for method in METHODS]
-    names += [r["method"] for r in mine if r["method"] not in names]
-    for name in dict.fromkeys(names):
-        first, second = chosen(mine, "evolving", name), chosen(dense, "evaluations", name)
-        paper = published.value("success_ratio", name, "average_success_ratio_percent")
-        if first or second:
-            # The paper's figure stands at the budget that the paper most likely had.
-            at_second = paper if second else None
-            table.rows.append((name, [
-                Cell(mean_over_pairs(first, percent), None if second else paper, 1),
-                Cell(mean_over_pairs(second, percent), at_second, 1),
-                Cell(mean(first, "fitness")), Cell(mean(first, "queries", 1e-6), digits=2),
-                Cell(str(len(first) + len(second)))]))  # fmt: skip
-    for name in (plan.PYTHON, plan.ADAPTIVE):
-        runs = chosen(records, "tasks", name)
-        if runs:
-            table.rows.append((name, [Cell(mean_over_pairs(runs, percent), None, 1), Cell(None),
-                                      Cell(None), Cell(mean(runs, "queries", 1e-6), digits=2),
-                                      Cell(str(len(runs)))]))  # fmt: skip
-    if ours:
-        paper = published.value("success_ratio", plan.OURS, "average_success_ratio_percent")
-        table.rows.append((f"**{plan.OURS}**", [
-            Cell(mean_over_pairs(ours, percent), paper, 1), Cell(None), Cell(None),
-            Cell(mean(ours, "queries", 1e-6), digits=2), Cell(str(len(ours)))]))  # fmt: skip
-    return table
-
-
-def success_by_pair(records: Records) -> Table | None:
-    """What the bars show: success of each method on each pair."""
-    mine = chosen(records, "evolving")
-    if not mine:
-        return None
-    ours = chosen(records, "library", plan.OURS)
-    names = list(dict.fromkeys(r["method"] for r in mine))
-    table = Table("success_by_pair", "Success by pair, %", ["data", *names, plan.OURS])
-    for pair, row in pair_rows(mine).items():
-        table.rows.append((row, [
-            *(Cell(percent(chosen(mine, "evolving", name, pair)), digits=0) for name in names),
-            Cell(percent([r for r in ours if r["pair"] == pair]), digits=0)]))  # fmt: skip
     return table
 
 
@@ -246,7 +192,7 @@ def is_control(name: str) -> bool:
 
 
 ALL: tuple[Callable[[Records], Table | None], ...] = (
-    success_ratio, success_by_pair, alpha_beta, traditional, sparse_to_dense, run_time, presets,
+    *success_tables.ALL, alpha_beta, traditional, sparse_to_dense, run_time, presets,
     errors_by_preset, sweep,
 )  # fmt: skip
 
