@@ -31,7 +31,7 @@ Refine = Callable[[Array, Array, Array, Task], Array]
 #: Name: (module of the library, module here, function).
 SEARCHES = {
     "open3d-ransac": ("open3d", "open3d_methods", "ransac"),
-    "open3d-fgr": ("open3d", "open3d_methods", "fast_global_registration"),
+    "open3d-fgr": ("open3d", "open3d_fgr", "fast_global_registration"),
     "kiss-matcher": ("kiss_matcher", "kiss_matcher_method", "kiss_matcher_search"),
 }
 REFINEMENTS = {

@@ -1,4 +1,4 @@
-"""Open3D: RANSAC and Fast Global Registration on FPFH, and point-to-plane ICP.
+"""Open3D: RANSAC on FPFH, and point-to-plane ICP.
 
 Radii, checkers and criteria are those that its tutorial on global registration recommends,
 in multiples of the voxel.
@@ -18,7 +18,7 @@ open3d.utility.set_verbosity_level(open3d.utility.VerbosityLevel.Error)
 
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 2.0, 30
 FEATURE_RADIUS, FEATURE_NEIGHBORS = 5.0, 100
-RANSAC_DISTANCE, FGR_DISTANCE, ICP_DISTANCE = 1.5, 0.5, 1.0
+RANSAC_DISTANCE, ICP_DISTANCE = 1.5, 1.0
 EDGE_LENGTH_SIMILARITY = 0.9
 RANSAC_POINTS, RANSAC_ITERATIONS, RANSAC_CONFIDENCE = 3, 100000, 0.999
 
@@ -34,18 +34,6 @@ def ransac(source: Array, target: Array, task: Task) -> Array:
          _registration.CorrespondenceCheckerBasedOnDistance(distance)],
         _registration.RANSACConvergenceCriteria(RANSAC_ITERATIONS, RANSAC_CONFIDENCE),
     )  # fmt: skip
-    return np.array(result.transformation)
-
-
-def fast_global_registration(source: Array, target: Array, task: Task) -> Array:
-    open3d.utility.random.seed(task.seed)
-    (a, a_features), (b, b_features) = (_with_features(cloud, task) for cloud in (source, target))
-    option = _registration.FastGlobalRegistrationOption(
-        maximum_correspondence_distance=FGR_DISTANCE * task.voxel
-    )
-    result = _registration.registration_fgr_based_on_feature_matching(
-        a, b, a_features, b_features, option
-    )
     return np.array(result.transformation)
 
 

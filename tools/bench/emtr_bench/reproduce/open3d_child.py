@@ -9,7 +9,7 @@ import time
 import numpy as np
 
 from ..peers.methods import Task
-from .fgr import fast_global_registration
+from ..peers.open3d_fgr import fast_global_registration
 
 
 def main() -> None:

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import open3d
 
-from ..peers.methods import Array, Task
-from ..peers.open3d_methods import (
+from .methods import Array, Task
+from .open3d_methods import (
     FEATURE_NEIGHBORS,
     FEATURE_RADIUS,
     NORMAL_NEIGHBORS,
