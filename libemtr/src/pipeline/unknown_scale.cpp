@@ -178,6 +178,7 @@ class UnknownScale {
       found.push_back(std::move(other));
     }
     std::vector<const Result*> rivals;
+    rivals.reserve(found.size());
     for (const auto& other : found) rivals.push_back(other.get());
     add_rivals(rivals, settings_.minimum_confidence, *surest);
     return surest;
