@@ -13,12 +13,7 @@ import numpy as np
 import open3d
 
 from .methods import Array, Task
-from .open3d_methods import (
-    FEATURE_NEIGHBORS,
-    FEATURE_RADIUS,
-    NORMAL_NEIGHBORS,
-    NORMAL_RADIUS,
-)
+from .open3d_methods import with_features
 
 DISTANCE = 0.5  # the last scale of the robust estimate, in voxels
 DIVISION, ITERATIONS = 1.4, 64  # of mu, every fourth iteration
@@ -29,7 +24,9 @@ _registration = open3d.pipelines.registration
 
 def fast_global_registration(source: Array, target: Array, task: Task) -> Array:
     open3d.utility.random.seed(task.seed)
-    (a, a_features), (b, b_features) = (_with_features(cloud, task) for cloud in (source, target))
+    (a, a_features), (b, b_features) = (
+        with_features(cloud, task, oriented=True) for cloud in (source, target)
+    )
     option = _registration.FastGlobalRegistrationOption(
         division_factor=DIVISION,
         use_absolute_scale=False,
@@ -46,21 +43,6 @@ def fast_global_registration(source: Array, target: Array, task: Task) -> Array:
     return np.array(result.transformation)
 
 
-def _with_features(points: Array, task: Task) -> tuple[Any, Any]:
-    cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(points))
-    cloud = cloud.voxel_down_sample(task.voxel)
-    cloud.estimate_normals(_neighborhood(NORMAL_RADIUS * task.voxel, NORMAL_NEIGHBORS))
-    cloud.orient_normals_towards_camera_location(cloud.get_center())
-    radius = FEATURE_RADIUS * task.voxel
-    return cloud, _registration.compute_fpfh_feature(
-        cloud, _neighborhood(radius, FEATURE_NEIGHBORS)
-    )
-
-
 def _radius(cloud: Any) -> float:
     """What Open3D divides the coordinates by."""
     return float(np.linalg.norm(np.asarray(cloud.points) - cloud.get_center(), axis=1).max())
-
-
-def _neighborhood(radius: float, most: int) -> Any:
-    return open3d.geometry.KDTreeSearchParamHybrid(radius, most)

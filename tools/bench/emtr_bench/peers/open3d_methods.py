@@ -25,7 +25,7 @@ RANSAC_POINTS, RANSAC_ITERATIONS, RANSAC_CONFIDENCE = 3, 100000, 0.999
 
 def ransac(source: Array, target: Array, task: Task) -> Array:
     open3d.utility.random.seed(task.seed)
-    (a, a_features), (b, b_features) = (_with_features(cloud, task) for cloud in (source, target))
+    (a, a_features), (b, b_features) = (with_features(cloud, task) for cloud in (source, target))
     distance = RANSAC_DISTANCE * task.voxel
     result = _registration.registration_ransac_based_on_feature_matching(
         a, b, a_features, b_features, True, distance,
@@ -52,9 +52,12 @@ def point_to_plane_icp(source: Array, target: Array, start: Array, task: Task) -
     return np.array(result.transformation)
 
 
-def _with_features(points: Array, task: Task) -> tuple[Any, Any]:
+def with_features(points: Array, task: Task, oriented: bool = False) -> tuple[Any, Any]:
+    """The downsampled cloud and its FPFH; ``oriented``: with normals towards the centroid."""
     cloud = _cloud(points).voxel_down_sample(task.voxel)
     cloud.estimate_normals(_neighborhood(NORMAL_RADIUS * task.voxel, NORMAL_NEIGHBORS))
+    if oriented:
+        cloud.orient_normals_towards_camera_location(cloud.get_center())
     radius = FEATURE_RADIUS * task.voxel
     return cloud, _registration.compute_fpfh_feature(
         cloud, _neighborhood(radius, FEATURE_NEIGHBORS)
