@@ -30,6 +30,7 @@ class MethodSettings(TypedDict, total=False):
     outlier_penalty: float
     scale_sparse: float
     scale_dense: float
+    dense_reference: Literal["dense", "whole"]
     translation_bound: float
     population: int
     iterations: int

@@ -37,11 +37,17 @@ def alpha_sparse(particle, source_sparse, target_sparse, c) -> float:
     return float(rho(nearest(moved, target_sparse.astype(float))[0], c).sum())
 
 
-def alpha_dense(particle, source_dense, target_dense, c) -> float:
-    """D stage: the M-estimator chamfer distance, both directions."""
-    moved = source_dense.astype(float) @ rotation(particle[:3]).T + particle[3:]
-    target = target_dense.astype(float)
-    return float(rho(nearest(moved, target)[0], c).sum() + rho(nearest(target, moved)[0], c).sum())
+def alpha_dense(particle, source_dense, target_dense, c, references=None) -> float:
+    """D stage: the M-estimator chamfer distance, both directions; the neighbors are points of the
+    references, or of the dense clouds."""
+
+    def moved(points):
+        return points.astype(float) @ rotation(particle[:3]).T + particle[3:]
+
+    source, target = references or (source_dense, target_dense)
+    there = nearest(moved(source_dense), target.astype(float))[0]
+    back = nearest(target_dense.astype(float), moved(source))[0]
+    return float(rho(there, c).sum() + rho(back, c).sum())
 
 
 def beta_residuals(angles, tim_source, tim_target) -> np.ndarray:

@@ -42,6 +42,23 @@ def test_dense_stage(problem, particles):
     assert min(wanted) < 0.7 * max(wanted)
 
 
+def test_dense_stage_with_neighbors_in_the_whole_clouds(pair, particles):
+    problem = pyemtr.Problem(pair.source, pair.target, dense_reference="whole")
+    dense = problem.source_dense, problem.target_dense
+    whole = [
+        ((cloud - center) / problem.normalization_scale).astype(np.float32)
+        for cloud, center in (
+            (pair.source, problem.center_source),
+            (pair.target, problem.center_target),
+        )
+    ]
+    assert all(len(cloud) > len(few) for cloud, few in zip(whole, dense))
+    found = problem.evaluate_alpha(particles, "dense")
+    wanted = [oracles.alpha_dense(x, *dense, problem.c_dense, whole) for x in particles]
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=sum(map(len, dense)) * 2e-5)
+    assert min(wanted) < 0.7 * max(wanted)
+
+
 def test_nothing_near_costs_one_a_point(problem):
     far = np.array([[0.3, 0.2, 0.1, 40.0, 0, 0]])
     assert problem.evaluate_alpha(far, "sparse") == len(problem.source_sparse)

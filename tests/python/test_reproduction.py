@@ -234,18 +234,19 @@ def relief():
 
 
 def test_the_fitness_in_python_is_the_librarys(relief):
-    from emtr_bench.reproduce import chamfer
+    from emtr_bench.reproduce import chamfer, precision
 
     source, target, problem = relief
-    fitness = chamfer.fitness(problem, source, target, ("centroids", "centroids", 1.2))
+    reading = precision.OPTIMA["optimum: as it is"]
+    fitness = chamfer.fitness(problem, source, target, reading)
     T = np.diag([1.0, -1.0, -1.0, 1.0])
     T[:3, 3] = -T[:3, :3] @ [5, 6, 7]
     for particle in (problem.to_particle(T), np.array([0.3, 0.2, -0.1, 0.02, 0.0, 0.05])):
         assert fitness(particle) == pytest.approx(problem.evaluate_alpha(particle), rel=1e-4)
     rows = np.array([[0.3, 0.2, -0.1, 0.02, 0.0, 0.05], problem.to_particle(T)])
     assert fitness(rows) == pytest.approx(problem.evaluate_alpha(rows), rel=1e-4)
-    whole = chamfer.fitness(problem, source, target, ("centroids", "whole", 1.2))
-    assert whole(problem.to_particle(T)) < fitness(problem.to_particle(T))
+    dense = chamfer.fitness(problem, source, target, ("centroids", "centroids", reading[2]))
+    assert dense(problem.to_particle(T)) > fitness(problem.to_particle(T))
 
 
 def test_farthest_points_are_far_apart():

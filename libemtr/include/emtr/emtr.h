@@ -154,6 +154,12 @@ typedef enum emtr_neighbors {
   EMTR_NEIGHBORS_BRUTE_FORCE = 2
 } emtr_neighbors;
 
+/* Chooses the points in which task alpha's dense stage looks for neighbors. */
+typedef enum emtr_reference {
+  EMTR_REFERENCE_DENSE = 0, /* those of the dense clouds */
+  EMTR_REFERENCE_WHOLE = 1  /* those of the whole clouds, before downsampling */
+} emtr_reference;
+
 /* Chooses the scales of the source's lengths that are searched. */
 typedef enum emtr_scale {
   EMTR_SCALE_FIXED = 0, /* none: both clouds have one unit, and the transformation is rigid */
@@ -202,6 +208,7 @@ typedef struct emtr_settings {
   /* task alpha */
   double scale_sparse;      /* c of the sparse stage, sparse leaves */
   double scale_dense;       /* c of the dense stage, dense leaves */
+  int32_t dense_reference;  /* an emtr_reference */
   double translation_bound; /* half the side of the search box, radii */
 
   /* swarm */

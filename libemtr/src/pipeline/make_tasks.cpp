@@ -25,19 +25,22 @@ std::unique_ptr<Neighbors> make_chosen_neighbors(const Settings& settings, const
 void make_tasks(Problem& problem) {
   const Settings& settings = problem.settings;
   const DownsampledClouds& clouds = problem.downsampled;
-  const auto make = [&](const Cloud& cloud, float radius, float leaf) {
-    // The queries are the points of the other cloud, which are about as many, in about half of the
-    // iterations.
-    const double queries =
-        0.5 * settings.population * settings.iterations * static_cast<double>(cloud.size());
-    return make_chosen_neighbors(settings, cloud, radius, leaf, queries, problem.kernels);
+  const auto make = [&](const Cloud& cloud, float radius, float leaf, std::size_t queries) {
+    // Each structure serves about half of the iterations.
+    const double all =
+        0.5 * settings.population * settings.iterations * static_cast<double>(queries);
+    return make_chosen_neighbors(settings, cloud, radius, leaf, all, problem.kernels);
   };
-  problem.alpha = std::make_unique<TaskAlpha>(clouds, settings, problem.kernels, make);
+  const bool whole = settings.dense_reference == DenseReference::Whole;
+  const TaskAlpha::DenseReferences references{whole ? problem.pair.source : clouds.source_dense,
+                                              whole ? problem.pair.target : clouds.target_dense};
+  problem.alpha = std::make_unique<TaskAlpha>(clouds, references, settings, problem.kernels, make);
   problem.beta = std::make_unique<TaskBeta>(problem.tims, problem.tau, settings, problem.kernels);
   // The complement reaches far: cells no finer than a share of that keep its structure small.
   const double reach = settings.complement_scale_start;
   auto far = make(clouds.target_sparse, static_cast<float>(reach),
-                  static_cast<float>(std::max(1.5 * clouds.leaf_sparse, reach / 5)));
+                  static_cast<float>(std::max(1.5 * clouds.leaf_sparse, reach / 5)),
+                  clouds.source_sparse.size());
   problem.complement = std::make_unique<KnowledgeComplement>(
       clouds.source_sparse, clouds.target_sparse, std::move(far), settings, problem.kernels);
 }

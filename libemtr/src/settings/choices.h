@@ -19,6 +19,12 @@ enum class NeighborStructure : std::int32_t {
   BruteForce = EMTR_NEIGHBORS_BRUTE_FORCE
 };
 
+/// In which points the dense stage looks for neighbors.
+enum class DenseReference : std::int32_t {
+  Dense = EMTR_REFERENCE_DENSE,
+  Whole = EMTR_REFERENCE_WHOLE
+};
+
 /// Which scales of the source a run looks at.
 enum class ScaleSearched : std::int32_t {
   Fixed = EMTR_SCALE_FIXED,
@@ -33,6 +39,10 @@ constexpr bool operator==(std::int32_t setting, When when) {
 
 constexpr bool operator==(std::int32_t setting, NeighborStructure structure) {
   return setting == static_cast<std::int32_t>(structure);
+}
+
+constexpr bool operator==(std::int32_t setting, DenseReference reference) {
+  return setting == static_cast<std::int32_t>(reference);
 }
 
 constexpr bool operator==(std::int32_t setting, ScaleSearched scale) {

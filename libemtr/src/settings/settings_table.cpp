@@ -72,6 +72,12 @@ const std::vector<Setting>& setting_table() {
               "scale c of the M-estimator in the sparse stage", ""),
       SETTING(scale_dense, Real, "dense leaves", 0.1, 10, 1.2, "task alpha",
               "scale c of the M-estimator in the dense stage", ""),
+      SETTING(
+          dense_reference, Choice, "", EMTR_REFERENCE_DENSE, EMTR_REFERENCE_WHOLE,
+          EMTR_REFERENCE_DENSE, "task alpha",
+          "points in which the dense stage looks for neighbors: those of the dense clouds, or of "
+          "the whole clouds",
+          "dense,whole"),
       SETTING(translation_bound, Real, "radii", 1e-3, 4, 1.2, "task alpha",
               "half the side of the box searched for translations", ""),
       SETTING(population, Integer, "particles", 2, 100000, 50, "particle swarm",
@@ -220,6 +226,8 @@ const std::vector<Preset>& preset_table() {
         {"max_tims", 100000},
         {"seeds", 0},
         {"injected_seeds", 0},
+        {"scale_dense", 0.5},
+        {"dense_reference", EMTR_REFERENCE_WHOLE},
         {"translation_bound", 0.5},
         {"iterations", 100},
         {"rotation_vector_steps", EMTR_OFF},
@@ -229,7 +237,8 @@ const std::vector<Preset>& preset_table() {
         {"fallback_search", EMTR_OFF},
         {"refine", 0},
         {"refine_leaf", 0.015},
-        {"use_colors", EMTR_OFF}}},
+        {"use_colors", EMTR_OFF},
+        {"maximum_fitness", 0.75}}},
   };
   return all;
 }

@@ -12,18 +12,24 @@ constexpr std::size_t kPiece = 512;  // points between two looks at the sum; a m
 
 }  // namespace
 
-TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings,
-                     const Kernels& kernels, const MakeNeighbors& make_neighbors)
+TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const DenseReferences& references,
+                     const Settings& settings, const Kernels& kernels,
+                     const MakeNeighbors& make_neighbors)
     : downsampled_(downsampled),
       kernels_(kernels),
       scale_sparse_(settings.scale_sparse * downsampled.leaf_sparse),
       scale_dense_(settings.scale_dense * downsampled.leaf_dense) {
-  const auto neighbors_of = [&](const Cloud& cloud, double scale, double leaf) {
-    return make_neighbors(cloud, static_cast<float>(scale), static_cast<float>(leaf));
+  const auto neighbors_of = [&](const Cloud& cloud, double scale, double leaf,
+                                const Cloud& queries) {
+    return make_neighbors(cloud, static_cast<float>(scale), static_cast<float>(leaf),
+                          queries.size());
   };
-  target_sparse_ = neighbors_of(downsampled.target_sparse, scale_sparse_, downsampled.leaf_sparse);
-  target_dense_ = neighbors_of(downsampled.target_dense, scale_dense_, downsampled.leaf_dense);
-  source_dense_ = neighbors_of(downsampled.source_dense, scale_dense_, downsampled.leaf_dense);
+  target_sparse_ = neighbors_of(downsampled.target_sparse, scale_sparse_, downsampled.leaf_sparse,
+                                downsampled.source_sparse);
+  target_dense_ = neighbors_of(references.target, scale_dense_, downsampled.leaf_dense,
+                               downsampled.source_dense);
+  source_dense_ = neighbors_of(references.source, scale_dense_, downsampled.leaf_dense,
+                               downsampled.target_dense);
 }
 
 void TaskAlpha::residuals(const Cloud& points, const Rigid& pose, const Neighbors& neighbors,

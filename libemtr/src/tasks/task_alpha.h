@@ -16,20 +16,27 @@ namespace emtr {
 /// D stage: the same over the dense source points, plus the sum over the dense target points of
 /// rho(distance to the nearest source point), the M-estimator chamfer distance (MCD). Distances
 /// of the second sum are measured in the source's frame: they are the same there, and one neighbor
-/// structure then serves all poses.
+/// structure then serves all poses. The neighbors of the D stage are points of the dense clouds, or
+/// of clouds with more points: a finer fitness function by as many queries.
 class TaskAlpha {
  public:
-  /// Makes the neighbor structure of a cloud, with a radius and a leaf.
-  using MakeNeighbors =
-      std::function<std::unique_ptr<Neighbors>(const Cloud&, float radius, float leaf)>;
+  /// Makes the neighbor structure of a cloud, with a radius and a leaf, for so many queries by each
+  /// evaluation.
+  using MakeNeighbors = std::function<std::unique_ptr<Neighbors>(const Cloud&, float radius,
+                                                                 float leaf, std::size_t queries)>;
+
+  /// The clouds whose points are the neighbors of the D stage.
+  struct DenseReferences {
+    const Cloud &source, &target;
+  };
 
   /// Working memory of an evaluation, one for each thread.
   struct Scratch {
     std::vector<float> x, y, z, squared;
   };
 
-  TaskAlpha(const DownsampledClouds& downsampled, const Settings& settings, const Kernels& kernels,
-            const MakeNeighbors& make_neighbors);
+  TaskAlpha(const DownsampledClouds& downsampled, const DenseReferences& references,
+            const Settings& settings, const Kernels& kernels, const MakeNeighbors& make_neighbors);
 
   double evaluate(emtr_resolution resolution, const Rigid& pose, Scratch& scratch) const {
     return evaluate(resolution, pose, HUGE_VAL, scratch);

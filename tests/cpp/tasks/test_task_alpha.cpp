@@ -22,7 +22,11 @@ emtr::DownsampledClouds small_downsampled_clouds() {
   return d;
 }
 
-std::unique_ptr<emtr::Neighbors> grid(const Cloud& cloud, float radius, float leaf) {
+emtr::TaskAlpha::DenseReferences dense(const emtr::DownsampledClouds& d) {
+  return {d.source_dense, d.target_dense};
+}
+
+std::unique_ptr<emtr::Neighbors> grid(const Cloud& cloud, float radius, float leaf, std::size_t) {
   return emtr::make_candidate_grid(cloud, radius, leaf, emtr::select_kernels());
 }
 
@@ -50,7 +54,7 @@ double oracle(const Cloud& from, const Cloud& to, const Rigid& T, double c) {
 
 TEST(TaskAlpha, SparseStageIsTheSourceSum) {
   const emtr::DownsampledClouds d = small_downsampled_clouds();
-  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
+  const emtr::TaskAlpha alpha(d, dense(d), emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   EXPECT_NEAR(alpha.evaluate(EMTR_RESOLUTION_SPARSE, pose(), scratch),
               oracle(d.source_sparse, d.target_sparse, pose(), 1.5 * 0.2), 1e-3);
@@ -61,7 +65,7 @@ TEST(TaskAlpha, EndsEarlyOnlyWhereItIsNotLess) {
   emtr::DownsampledClouds d = small_downsampled_clouds();
   d.source_dense = emtr_test::uniform_cloud(2000, 3);
   d.target_dense = emtr_test::uniform_cloud(1500, 4);
-  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
+  const emtr::TaskAlpha alpha(d, dense(d), emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   for (const auto stage : {EMTR_RESOLUTION_SPARSE, EMTR_RESOLUTION_DENSE}) {
     const double whole = alpha.evaluate(stage, pose(), scratch);
@@ -78,9 +82,10 @@ TEST(TaskAlpha, EndsEarlyOnlyWhereItIsNotLess) {
 
 TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
   const emtr::DownsampledClouds d = small_downsampled_clouds();
-  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
+  const emtr::TaskAlpha alpha(d, dense(d), emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
-  const double c = 1.2 * 0.1;
+  const double c = alpha.scale(EMTR_RESOLUTION_DENSE);
+  EXPECT_EQ(c, emtr::preset("paper").scale_dense * d.leaf_dense);
   EXPECT_NEAR(alpha.evaluate(EMTR_RESOLUTION_DENSE, pose(), scratch),
               oracle(d.source_dense, d.target_dense, pose(), c) +
                   oracle(d.target_dense, d.source_dense, pose().inverse(), c),
@@ -88,17 +93,32 @@ TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
   EXPECT_EQ(alpha.queries(EMTR_RESOLUTION_DENSE), 350u);
 }
 
+TEST(TaskAlpha, DenseStageFindsItsNeighborsInTheReferences) {
+  const emtr::DownsampledClouds d = small_downsampled_clouds();
+  const Cloud source = emtr_test::uniform_cloud(900, 5), target = emtr_test::uniform_cloud(800, 6);
+  const emtr::TaskAlpha alpha(d, {source, target}, emtr::preset("paper"), emtr::select_kernels(),
+                              grid);
+  const double c = alpha.scale(EMTR_RESOLUTION_DENSE),
+               forward = oracle(d.source_dense, target, pose(), c),
+               backward = oracle(d.target_dense, source, pose().inverse(), c);
+  emtr::TaskAlpha::Scratch scratch;
+  EXPECT_NEAR(alpha.evaluate(EMTR_RESOLUTION_DENSE, pose(), scratch), forward + backward, 1e-3);
+  EXPECT_NEAR(alpha.residuals_source(pose()).rho_sum, forward, 1e-3);
+  EXPECT_NEAR(alpha.residuals_target(pose()).rho_sum, backward, 1e-3);
+  EXPECT_EQ(alpha.queries(EMTR_RESOLUTION_DENSE), 350u);
+}
+
 TEST(TaskAlpha, IsZeroWhereTheCloudsLieOnEachOther) {
   emtr::DownsampledClouds d = small_downsampled_clouds();
   d.target_dense = d.source_dense;
-  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
+  const emtr::TaskAlpha alpha(d, dense(d), emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   EXPECT_EQ(alpha.evaluate(EMTR_RESOLUTION_DENSE, Rigid{}, scratch), 0);
 }
 
 TEST(TaskAlpha, IsWorstFarAway) {
   const emtr::DownsampledClouds d = small_downsampled_clouds();
-  const emtr::TaskAlpha alpha(d, emtr::preset("paper"), emtr::select_kernels(), grid);
+  const emtr::TaskAlpha alpha(d, dense(d), emtr::preset("paper"), emtr::select_kernels(), grid);
   emtr::TaskAlpha::Scratch scratch;
   Rigid far;
   far.t[0] = 100;

@@ -83,13 +83,12 @@ def evolve(pair: Pair, index: int, seed: int, threads: int, method: Method, kind
 
 
 def evolve_emtr(
-    pair: Pair, index: int, seed: int, threads: int, settings: emtr_ssc.Settings,
-    own: dict[str, Task] | None = None,
-) -> dict[str, Any]:  # fmt: skip
+    pair: Pair, index: int, seed: int, threads: int, settings: emtr_ssc.Settings
+) -> dict[str, Any]:
     """EMTR-SSC in Python: the errors of its alpha, and of its beta's rotation completed by a
-    translation. `own` are other tasks than the library's."""
+    translation."""
     case, problem = moved_pair(pair, index), clouds(pair, index, threads)
-    own = own or tasks(problem)
+    own = tasks(problem)
     run = Problem(
         [own[ALPHA], own[BETA], own[SPARSE]], 2 * budget(problem, EQUAL_EVALUATIONS),
         MOST_EVALUATIONS, problem.complement,

@@ -21,7 +21,7 @@ def fitness(
     problem: pyemtr.Problem, source: Array, target: Array, reading: Reading
 ) -> Callable[[Array], Array]:
     """Task alpha's fitness on the dense clouds, as a function of particles (P, 6), with other
-    points than the library's. With "centroids" twice it is the library's."""
+    points than the library's. Its own are "centroids" among "whole", by preset `paper`."""
     from scipy.spatial import cKDTree
 
     points, among, leaves = reading

@@ -2,9 +2,9 @@
 
 There are two kinds of rows. A *search* is a whole run with other settings. An *optimum* is where
 the fitness function itself is best near the true pose, found by Nelder and Mead: its error is the
-function's and not the search's. The library has no setting for queries into the whole clouds, nor
-for farthest points in the place of voxel centroids: those are tried in Python. The count of queries
-is that of preset `paper` unless the name says otherwise. No reading is chosen by pair.
+function's and not the search's. The library has no setting for farthest points in the place of
+voxel centroids, nor for a velocity limit that falls: those are tried in Python. The count of
+queries is that of preset `paper` unless the name says otherwise. No reading is chosen by pair.
 """
 
 from __future__ import annotations
@@ -13,8 +13,6 @@ from typing import Any
 
 import numpy as np
 from evolving_methods import emtr_ssc
-from evolving_methods.methods import ALPHA
-from evolving_methods.problem import Task
 
 from ..pairs import Pair
 from . import cases, chamfer
@@ -23,25 +21,29 @@ from .chamfer import Reading
 #: Settings on top of preset `paper`.
 SEARCHES: dict[str, dict[str, Any]] = {
     "search: as it is": {},
+    "search: neighbors in the dense clouds, c of 1.2 leaves": {
+        "dense_reference": "dense",
+        "scale_dense": 1.2,
+    },
+    "search: neighbors in the dense clouds": {"dense_reference": "dense"},
+    "search: c of 0.4 dense leaves": {"scale_dense": 0.4},
     "search: c of 0.8 dense leaves": {"scale_dense": 0.8},
-    "search: c of 0.5 dense leaves": {"scale_dense": 0.5},
+    "search: c of 1.2 dense leaves": {"scale_dense": 1.2},
     "search: velocity limit 0.25": {"velocity_limit": 0.25},
     "search: 8000 dense points, twice the queries": {"dense_points": 8000},
 }
-WHOLE: Reading = ("centroids", "whole", 0.5)
-#: What the last velocity limit is, and what task alpha is on the dense clouds; None: the library's.
-PYTHON_SEARCHES: dict[str, tuple[float | None, Reading | None]] = {
-    "search in Python: as it is": (None, None),
-    "search in Python: velocity limit falls to 0.02": (0.02, None),
-    "search in Python: queries into the whole clouds, c of 0.5 leaves": (None, WHOLE),
+#: What the last velocity limit is; None: the same as the first.
+PYTHON_SEARCHES: dict[str, float | None] = {
+    "search in Python: as it is": None,
+    "search in Python: velocity limit falls to 0.02": 0.02,
 }
 OPTIMA: dict[str, Reading] = {
-    "optimum: as it is": ("centroids", "centroids", 1.2),
-    "optimum: c of 0.5 dense leaves": ("centroids", "centroids", 0.5),
-    "optimum: queries into the whole clouds": ("centroids", "whole", 1.2),
-    "optimum: queries into the whole clouds, c of 0.5 leaves": WHOLE,
-    "optimum: farthest points": ("farthest", "farthest", 1.2),
-    "optimum: farthest points into the whole clouds, c of 0.5 leaves": ("farthest", "whole", 0.5),
+    "optimum: as it is": ("centroids", "whole", 0.5),
+    "optimum: c of 1.2 dense leaves": ("centroids", "whole", 1.2),
+    "optimum: neighbors in the dense clouds, c of 1.2 leaves": ("centroids", "centroids", 1.2),
+    "optimum: neighbors in the dense clouds": ("centroids", "centroids", 0.5),
+    "optimum: farthest points": ("farthest", "whole", 0.5),
+    "optimum: farthest points among themselves, c of 1.2 leaves": ("farthest", "farthest", 1.2),
 }
 METHODS = (*SEARCHES, *PYTHON_SEARCHES, *OPTIMA)
 
@@ -53,20 +55,10 @@ def run(method: str, pair: Pair, index: int, seed: int, threads: int) -> dict[st
     if method in SEARCHES:
         return cases.register(pair, index, seed, threads, cases.PRESET, SEARCHES[method])
     if method in PYTHON_SEARCHES:
-        limit, reading = PYTHON_SEARCHES[method]
-        settings = emtr_ssc.Settings(last_velocity_limit=limit)
-        tasks = None if reading is None else _tasks(pair, index, threads, reading)
-        found = cases.evolve_emtr(pair, index, seed, threads, settings, tasks)
+        settings = emtr_ssc.Settings(last_velocity_limit=PYTHON_SEARCHES[method])
+        found = cases.evolve_emtr(pair, index, seed, threads, settings)
         return {key: value for key, value in found.items() if key != "history"}
     return _optimum(pair, index, threads, OPTIMA[method])
-
-
-def _tasks(pair: Pair, index: int, threads: int, reading: Reading) -> dict[str, Task]:
-    """The library's tasks, but for task alpha on the dense clouds."""
-    case, problem = cases.moved_pair(pair, index), cases.clouds(pair, index, threads)
-    own = cases.tasks(problem)
-    own[ALPHA].fitness = chamfer.fitness(problem, case.source, case.target, reading)
-    return own
 
 
 def _optimum(pair: Pair, index: int, threads: int, reading: Reading) -> dict[str, Any]:
