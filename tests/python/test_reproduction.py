@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from accuracy_fakes import REPOSITORY
 from emtr_bench.pairs import DataError
-from emtr_bench.reproduce import claims, differences, plan, published, significance, tables
+from emtr_bench.reproduce import claims, differences, order, plan, published, significance, tables
 from emtr_bench.reproduce.figures_of_runs import mean_over_pairs, percent, spread
 from emtr_bench.reproduce.published import Published
 from emtr_bench.reproduce.run_log import RunLog
@@ -138,6 +138,25 @@ def test_tables_of_runs():
     assert beta.ours.mean == pytest.approx(2.5) and beta.paper == Published(1.284, 0.847)
     assert "errors_vs_traditional" not in made and "sweep" not in made
     assert tables.lower_in(made["sparse_to_dense"], 0) == (0, 6)
+
+
+def test_the_order_of_the_methods_is_beside_the_published_one():
+    right = {"PSO": 3, "DEORA": 0, "EMFPCR": 2}  # of four; published: DEORA, EMFPCR, PSO
+    runs = [record("library", plan.OURS, pair, i) for pair in ("a", "b") for i in range(20)]
+    runs += [
+        record("evolving", method, pair, i, E_R=0.4 if i % 4 < count else 90.0)
+        for method, count in right.items() for pair in ("a", "b") for i in range(20)
+    ]  # fmt: skip
+    (said,) = order.text(runs)
+    assert "with as many queries: EMTR-SSC 100.0, PSO 75.0, EMFPCR 50.0, DEORA 0.0;" in said
+    assert "published: EMTR-SSC 87.7, DEORA 55.0, EMFPCR 39.7, PSO 30.7." in said
+    assert "tau is 0.00" in said
+    for ahead in ("PSO is ahead of DEORA", "PSO is ahead of EMFPCR", "EMFPCR is ahead of DEORA"):
+        assert ahead in said
+    runs += [record("evaluations", method, "a", 0) for method in right]
+    assert "with as many evaluations: " in order.text(runs)[0]
+    assert "No two are swapped" in order.text(runs)[0]
+    assert order.text(some_runs()) == []
 
 
 def test_what_the_larger_budget_gives_has_its_table_and_its_sentence():

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 from ..paper_tables import short_name
-from . import plan, precision, published
+from . import order, plan, precision, published
 from .figures_of_runs import chosen, mean_over_pairs, percent, spread
 from .run_log import Record
 from .table import Table
@@ -65,6 +65,7 @@ def _success(records: Sequence[Record]) -> list[str]:
     if chosen(records, "evolving") and not chosen(records, "evaluations"):
         points.append("The published figures of the evolving methods are most likely of the larger "
                       "budget, which was not run here (section `evaluations`).")  # fmt: skip
+    points += order.text(records)
     runs = len(ours)
     points.append(f"The figures of success are of {runs} runs a method, so that one run is "
                   f"{100.0 / runs:.1f} %.")  # fmt: skip
