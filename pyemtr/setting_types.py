@@ -34,6 +34,7 @@ class MethodSettings(TypedDict, total=False):
     translation_bound: float
     population: int
     iterations: int
+    stall_iterations: int
     inertia_start: float
     inertia_end: float
     cognitive: float

@@ -14,6 +14,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 QUICK = ["--iterations", "2", "--population", "4", "--threads", "1"]  # where T does not matter
+ENDLESS = ["--iterations", "1000000", "--stall-iterations", "0"]  # for days
 
 # A shell ignores it in what it runs in the background, and the command would go on ignoring it.
 signal.signal(signal.SIGINT, signal.default_int_handler)

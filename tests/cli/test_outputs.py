@@ -8,7 +8,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from conftest import QUICK
+from conftest import ENDLESS, QUICK
 
 GUESS = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"
 
@@ -74,7 +74,7 @@ def test_unwritable_place(refused, small, tmp_path, option, place, pattern):
 
 def test_unwritable_place_is_found_before_the_work(refused, clouds):
     """A hundred million iterations would take days."""
-    refused(2, *clouds, "--iterations", "1000000", "--population", "1000", "-o", "nowhere/T.txt")
+    refused(2, *clouds, *ENDLESS, "--population", "1000", "-o", "nowhere/T.txt")
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root writes everywhere")
@@ -134,7 +134,7 @@ def test_full_standard_output(run, small, tmp_path):
 
 def test_closed_standard_output_is_found_before_the_work(command, small, tmp_path):
     done = subprocess.run(
-        ["sh", "-c", f'"{command}" a.pcd b.pcd --iterations 1000000 >&-'],
+        ["sh", "-c", f'"{command}" a.pcd b.pcd {" ".join(ENDLESS)} >&-'],
         cwd=tmp_path,
         capture_output=True,
         text=True,

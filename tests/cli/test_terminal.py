@@ -11,7 +11,7 @@ def talk_on_terminal(command, folder, *arguments) -> tuple[str, str]:
     """What standard error gets when it is a terminal, and standard output, which is a pipe."""
     master, slave = pty.openpty()
     process = subprocess.Popen(
-        [command, "a.pcd", "b.pcd", "--iterations", "800", *arguments],
+        [command, "a.pcd", "b.pcd", "--iterations", "800", "--stall-iterations", "0", *arguments],
         cwd=folder,
         stdout=subprocess.PIPE,
         stderr=slave,

@@ -13,7 +13,7 @@ import time
 import cloud_files
 import numpy as np
 import pytest
-from conftest import QUICK
+from conftest import ENDLESS, QUICK
 
 
 def matrix(text: str) -> np.ndarray:
@@ -79,7 +79,7 @@ class Running:
     def __init__(self, command, folder, *arguments) -> None:
         self.master, slave = pty.openpty()
         self.process = subprocess.Popen(
-            [command, "a.pcd", "b.pcd", "--iterations", "1000000", "--threads", "1", *arguments],
+            [command, "a.pcd", "b.pcd", *ENDLESS, "--threads", "1", *arguments],
             cwd=folder,
             stdout=subprocess.PIPE,
             stderr=slave,
@@ -155,8 +155,7 @@ def test_interrupt_before_any_pose(command, tmp_path):
 def test_the_time_limit_gives_the_best_pose_so_far(run, small, tmp_path):
     long = run(
         *small,
-        "--iterations",
-        "1000000",
+        *ENDLESS,
         "--time-limit",
         "3",
         "-o",

@@ -18,6 +18,7 @@ import pyemtr
 
 ALL = {
     "iterations": 8,
+    "stall_iterations": 0,
     "threads": 2,
     "dense_points": 3000,
     "fallback_search": "always",
@@ -221,8 +222,9 @@ CHILD = """
 """
 RUNS = {
     "register": "print('ready', flush=True); pyemtr.register(pair.source, pair.target, "
-    "iterations=1000000, threads=1, callback=callback)",
-    "solve": "problem = pyemtr.Problem(pair.source, pair.target, iterations=1000000, threads=1); "
+    "iterations=1000000, stall_iterations=0, threads=1, callback=callback)",
+    "solve": "problem = pyemtr.Problem(pair.source, pair.target, iterations=1000000, "
+    "stall_iterations=0, threads=1); "
     "print('ready', flush=True); problem.solve(callback)",
 }
 

@@ -157,7 +157,8 @@ typedef enum emtr_neighbors {
 /* Chooses the points in which task alpha's dense stage looks for neighbors. */
 typedef enum emtr_reference {
   EMTR_REFERENCE_DENSE = 0, /* those of the dense clouds */
-  EMTR_REFERENCE_WHOLE = 1  /* those of the whole clouds, before downsampling */
+  EMTR_REFERENCE_WHOLE = 1  /* those of the whole clouds, before downsampling; c is then at least
+                               two of their spacings */
 } emtr_reference;
 
 /* Chooses the scales of the source's lengths that are searched. */
@@ -214,6 +215,9 @@ typedef struct emtr_settings {
   /* swarm */
   int32_t population; /* particles of each task */
   int32_t iterations; /* MaxIt */
+  /* with seeds and candidates: the evolution ends once its best pose has stayed in one place for so
+   * many iterations; 0: never before MaxIt */
+  int32_t stall_iterations;
   double inertia_start;
   double inertia_end;
   double cognitive;      /* c1 */

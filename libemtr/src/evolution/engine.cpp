@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "evolution/knowledge_transfer.h"
+#include "geometry/pose_distance.h"
 #include "util/thread_team.h"
 
 namespace emtr {
@@ -32,7 +33,8 @@ class Engine {
         rotations_(space_.rotation_genes(), settings, Stream::Beta,
                    rotation_steps(settings, space_, seeded)),
         scratch_(threads),
-        resolution_(settings.sparse_to_dense ? EMTR_RESOLUTION_SPARSE : EMTR_RESOLUTION_DENSE) {}
+        resolution_(settings.sparse_to_dense ? EMTR_RESOLUTION_SPARSE : EMTR_RESOLUTION_DENSE),
+        may_stall_(seeded && settings.candidates > 0 && settings.stall_iterations > 0) {}
 
   void place(const Starts& starts) {
     std::vector<Rigid> all = starts.guesses;
@@ -49,7 +51,7 @@ class Engine {
     const int switch_at =
         static_cast<int>(std::ceil(settings_.switch_fraction * settings_.iterations - 1e-9));
     try {
-      for (int it = 0; it < settings_.iterations && !out_.stopped; ++it) {
+      for (int it = 0; it < settings_.iterations && !out_.stopped && !stalled(it); ++it) {
         if (resolution_ == EMTR_RESOLUTION_SPARSE && it == switch_at) switch_to_dense();
         evaluate();
         poses_.update_bests();
@@ -105,6 +107,18 @@ class Engine {
     out_.queries_switch += n * alpha_.queries(resolution_);
   }
 
+  /// Tells whether gbest has stayed for long where local refinement ends in one place: the refined
+  /// candidates have it, and the other particles start from seeds that they have too.
+  bool stalled(int it) {
+    if (!may_stall_ || it == 0) return false;
+    const Rigid pose = space_.pose(poses_.best_position(poses_.gbest()));
+    if (it == 1 || !is_same_pose(pose, place_, kDuplicatePose)) {
+      place_ = pose;
+      in_place_since_ = it;
+    }
+    return it - in_place_since_ >= settings_.stall_iterations;
+  }
+
   void move(int it) {
     const double done = static_cast<double>(it) / settings_.iterations;
     const double inertia =
@@ -129,6 +143,9 @@ class Engine {
   std::vector<TaskAlpha::Scratch> scratch_;
   emtr_resolution resolution_;
   bool beta_changed_ = false;  // since the complement was last computed
+  bool may_stall_;
+  Rigid place_;  // of gbest
+  int in_place_since_ = 0;
   Evolution out_;
 };
 

@@ -20,6 +20,20 @@ std::unique_ptr<Neighbors> make_chosen_neighbors(const Settings& settings, const
   return make_neighbors(cloud, radius, leaf, queries, kernels);
 }
 
+/// The points in which the settings let the D stage look for neighbors.
+TaskAlpha::DenseReferences dense_references(const Problem& problem) {
+  constexpr double kSpacings = 2;
+  const NormalizedPair& pair = problem.pair;
+  if (problem.settings.dense_reference == DenseReference::Dense)
+    return {problem.downsampled.source_dense, problem.downsampled.target_dense, 0};
+  const auto spacing = [&](const PreprocessedCloud& cloud) {
+    return cloud.spacing() * (cloud.radius / pair.normalization.scale);
+  };
+  return {
+      pair.source, pair.target,
+      kSpacings * std::max(spacing(*pair.preprocessed_source), spacing(*pair.preprocessed_target))};
+}
+
 }  // namespace
 
 void make_tasks(Problem& problem) {
@@ -31,10 +45,8 @@ void make_tasks(Problem& problem) {
         0.5 * settings.population * settings.iterations * static_cast<double>(queries);
     return make_chosen_neighbors(settings, cloud, radius, leaf, all, problem.kernels);
   };
-  const bool whole = settings.dense_reference == DenseReference::Whole;
-  const TaskAlpha::DenseReferences references{whole ? problem.pair.source : clouds.source_dense,
-                                              whole ? problem.pair.target : clouds.target_dense};
-  problem.alpha = std::make_unique<TaskAlpha>(clouds, references, settings, problem.kernels, make);
+  problem.alpha = std::make_unique<TaskAlpha>(clouds, dense_references(problem), settings,
+                                              problem.kernels, make);
   problem.beta = std::make_unique<TaskBeta>(problem.tims, problem.tau, settings, problem.kernels);
   // The complement reaches far: cells no finer than a share of that keep its structure small.
   const double reach = settings.complement_scale_start;

@@ -72,18 +72,22 @@ const std::vector<Setting>& setting_table() {
               "scale c of the M-estimator in the sparse stage", ""),
       SETTING(scale_dense, Real, "dense leaves", 0.1, 10, 1.2, "task alpha",
               "scale c of the M-estimator in the dense stage", ""),
-      SETTING(
-          dense_reference, Choice, "", EMTR_REFERENCE_DENSE, EMTR_REFERENCE_WHOLE,
-          EMTR_REFERENCE_DENSE, "task alpha",
-          "points in which the dense stage looks for neighbors: those of the dense clouds, or of "
-          "the whole clouds",
-          "dense,whole"),
+      SETTING(dense_reference, Choice, "", EMTR_REFERENCE_DENSE, EMTR_REFERENCE_WHOLE,
+              EMTR_REFERENCE_DENSE, "task alpha",
+              "points in which the dense stage looks for neighbors: those of the dense clouds, or "
+              "of the "
+              "whole clouds, and then c is at least two of their spacings",
+              "dense,whole"),
       SETTING(translation_bound, Real, "radii", 1e-3, 4, 1.2, "task alpha",
               "half the side of the box searched for translations", ""),
       SETTING(population, Integer, "particles", 2, 100000, 50, "particle swarm",
               "particles of each of the two tasks", ""),
       SETTING(iterations, Integer, "iterations", 1, 1000000, 25, "particle swarm",
               "generations of the evolution (MaxIt)", ""),
+      SETTING(stall_iterations, Integer, "iterations", 0, 1000000, 4, "particle swarm",
+              "with seeds and candidates: end once the best pose has stayed in one place for so "
+              "many; 0: never before all are done",
+              ""),
       SETTING(inertia_start, Real, "", 0, 2, 0.9, "particle swarm", "inertia weight w at the start",
               ""),
       SETTING(inertia_end, Real, "", 0, 2, 0.4, "particle swarm", "inertia weight w at the end",

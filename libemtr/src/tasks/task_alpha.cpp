@@ -18,7 +18,8 @@ TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const DenseReferences
     : downsampled_(downsampled),
       kernels_(kernels),
       scale_sparse_(settings.scale_sparse * downsampled.leaf_sparse),
-      scale_dense_(settings.scale_dense * downsampled.leaf_dense) {
+      scale_dense_(
+          std::max(settings.scale_dense * downsampled.leaf_dense, references.least_scale)) {
   const auto neighbors_of = [&](const Cloud& cloud, double scale, double leaf,
                                 const Cloud& queries) {
     return make_neighbors(cloud, static_cast<float>(scale), static_cast<float>(leaf),

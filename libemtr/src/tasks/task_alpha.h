@@ -25,9 +25,11 @@ class TaskAlpha {
   using MakeNeighbors = std::function<std::unique_ptr<Neighbors>(const Cloud&, float radius,
                                                                  float leaf, std::size_t queries)>;
 
-  /// The clouds whose points are the neighbors of the D stage.
+  /// The clouds whose points are the neighbors of the D stage, and the least c that they allow:
+  /// below about two spacings of their points, points on one surface are outliers.
   struct DenseReferences {
     const Cloud &source, &target;
+    double least_scale;  ///< 0: any
   };
 
   /// Working memory of an evaluation, one for each thread.

@@ -26,8 +26,9 @@ double best_alternative(const Evolution& evolution, const Rigid& best, const Tas
   for (const Hypothesis& h : evolution.hypotheses) {
     if (is_same_pose(h.pose, best, kDistinctPose)) continue;
     const bool known = evolution.resolution == EMTR_RESOLUTION_DENSE;
-    fitness = std::min(fitness,
-                       known ? h.fitness : alpha.evaluate(EMTR_RESOLUTION_DENSE, h.pose, scratch));
+    fitness =
+        std::min(fitness, known ? h.fitness
+                                : alpha.evaluate(EMTR_RESOLUTION_DENSE, h.pose, fitness, scratch));
   }
   return fitness / alpha.worst(EMTR_RESOLUTION_DENSE);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "evolution/engine.h"
+#include "geometry/pose_distance.h"
 #include "priors/make_prior.h"
 #include "support/clouds.h"
 #include "support/problems.h"
@@ -151,7 +152,9 @@ TEST_F(EngineSteps, PresetPaperHasThemOff) {
 }
 
 TEST_F(EngineSteps, AutoIsForSwarmsWithoutASeed) {
-  const emtr::Starts none, guess{{truth}, {}}, seed{{}, {truth}};
+  emtr::Rigid near = truth;  // where the swarms still improve on it
+  near.t[0] += 0.03;
+  const emtr::Starts none, guess{{near}, {}}, seed{{}, {near}};
   use(EMTR_OFF);
   const auto off = started(none).history_alpha, off_at_seed = started(seed).history_alpha,
              off_at_guess = started(guess).history_alpha;
@@ -175,6 +178,51 @@ TEST_F(EngineSteps, EachDoesSomethingByItself) {
   use(EMTR_OFF);
   settings.rotation_vector_steps = EMTR_ALWAYS;
   EXPECT_NE(started({}).history_alpha, off.history_alpha);
+}
+
+/// From the truth as a seed, with candidates.
+class EngineStall : public EngineSteps {
+ protected:
+  EngineStall() {
+    settings.candidates = 12;
+    settings.stall_iterations = 5;
+  }
+  std::size_t iterations(const emtr::Starts& starts) const {
+    return started(starts).history_alpha.size();
+  }
+};
+
+TEST_F(EngineStall, EndsWhereTheBestPoseStaysInOnePlace) {
+  const Evolution e = started({{}, {truth}});
+  EXPECT_EQ(e.history_alpha.size(), 6u);
+  EXPECT_EQ(e.history_beta.size(), 6u);
+  EXPECT_FALSE(e.stopped);
+  EXPECT_EQ(e.resolution, EMTR_RESOLUTION_SPARSE);
+  ASSERT_EQ(e.hypotheses.size(), 50u);
+  EXPECT_TRUE(emtr::is_same_pose(e.hypotheses[e.best].pose, truth, emtr::kDuplicatePose));
+}
+
+TEST_F(EngineStall, TheIterationsBeforeAreTheSame) {
+  const auto ended = started({{}, {truth}}).history_alpha;
+  settings.stall_iterations = 0;
+  auto whole = started({{}, {truth}}).history_alpha;
+  ASSERT_EQ(whole.size(), 40u);
+  whole.resize(ended.size());
+  EXPECT_EQ(ended, whole);
+}
+
+TEST_F(EngineStall, GoesOnWhereThePoseMoves) {
+  emtr::Rigid wrong = truth;
+  wrong.R = Eigen::AngleAxisd(2, Eigen::Vector3d::UnitX()) * wrong.R;
+  wrong.t[0] += 0.3;
+  EXPECT_GT(iterations({{}, {wrong}}), 6u);
+}
+
+TEST_F(EngineStall, IsForSeedsWithCandidates) {
+  EXPECT_EQ(iterations({}), 40u);
+  EXPECT_EQ(iterations({{truth}, {}}), 40u);  // a guess is no seed
+  settings.candidates = 0;
+  EXPECT_EQ(iterations({{}, {truth}}), 40u);
 }
 
 TEST_F(EngineSteps, SameBitsForAnyThreads) {

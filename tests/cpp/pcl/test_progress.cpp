@@ -19,18 +19,19 @@ TEST_F(Progress, ItIsReportedAndChangesNothing) {
     return false;
   });
   reg.align(output);
-  EXPECT_EQ(iterations, reg.getMaximumIterations());
+  EXPECT_EQ(static_cast<std::size_t>(iterations), reg.getResult()->iterations);
+  EXPECT_GT(iterations, 0);
   EXPECT_TRUE(sameBits(first, reg.getFinalTransformation()));
 }
 
 TEST_F(Progress, TrueStopsTheRun) {
-  reg.setProgressCallback([](const emtr_progress& progress) { return progress.iteration >= 5; });
+  reg.setProgressCallback([](const emtr_progress& progress) { return progress.iteration >= 3; });
   reg.align(output);
   EXPECT_FALSE(reg.hasConverged());
   EXPECT_EQ(reg.getErrorMessage(), "");
   ASSERT_NE(reg.getResult(), nullptr);
   EXPECT_EQ(reg.getResult()->reason, EMTR_REASON_INTERRUPTED);
-  EXPECT_EQ(reg.getResult()->iterations, 5u);
+  EXPECT_EQ(reg.getResult()->iterations, 3u);
   EXPECT_EQ(reg.getReasonText(), emtr_reason_text(EMTR_REASON_INTERRUPTED));
 }
 

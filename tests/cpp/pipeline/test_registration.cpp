@@ -74,12 +74,14 @@ TEST_P(OfPreset, RegistersAPairAndFillsTheResult) {
   EXPECT_LE(r->correspondences, static_cast<std::size_t>(settings.max_correspondences));
   EXPECT_GT(r->tims, r->tims_pruned);
   EXPECT_GT(r->queries_evaluation, 0u);
-  EXPECT_GT(r->queries_switch, 0u);
+  const double switch_at = std::ceil(settings.switch_fraction * settings.iterations);
+  EXPECT_EQ(r->queries_switch > 0, static_cast<double>(r->iterations) > switch_at);
   EXPECT_GT(r->queries_complement, 0u);
   EXPECT_NEAR(r->normalization_scale / pair.unit(), 1, 0.5);
   EXPECT_GT(r->leaf_sparse, r->leaf_dense);
   EXPECT_GT(r->leaf_dense, 0);
-  EXPECT_EQ(r->iterations, static_cast<std::size_t>(settings.iterations));
+  EXPECT_LE(r->iterations, static_cast<std::size_t>(settings.iterations));
+  EXPECT_GT(r->iterations, static_cast<std::size_t>(settings.stall_iterations));
   EXPECT_LE(r->history_beta[r->iterations - 1], r->history_beta[0]);
   EXPECT_GE(r->history_alpha[0], r->history_alpha[1]);
   EXPECT_EQ(r->seed, settings.seed);
@@ -374,6 +376,7 @@ TEST(Registration, StoppedWhileTheProblemIsMadeThereIsNoPose) {
 TEST(Registration, StoppedLaterTheBestPoseSoFarIsGiven) {
   const Pair pair(68, 3000);
   Settings settings = preset("thorough");
+  settings.stall_iterations = 0;
   settings.fallback_points = 4000;
   const auto problem = emtr_test::problem_of(pair.source(), pair.target(), settings);
   const auto stopped = [&](const char* stage, int iteration = 0) {
@@ -414,6 +417,7 @@ TEST(Registration, StoppedLaterTheBestPoseSoFarIsGiven) {
 TEST(Registration, TellsEveryStageInItsOrder) {
   const Pair pair(69, 2000);
   Settings settings = preset("thorough");
+  settings.stall_iterations = 0;
   settings.fallback_points = 3000;
   std::string stages, last;
   int iterations = 0;

@@ -23,7 +23,7 @@ emtr::DownsampledClouds small_downsampled_clouds() {
 }
 
 emtr::TaskAlpha::DenseReferences dense(const emtr::DownsampledClouds& d) {
-  return {d.source_dense, d.target_dense};
+  return {d.source_dense, d.target_dense, 0};
 }
 
 std::unique_ptr<emtr::Neighbors> grid(const Cloud& cloud, float radius, float leaf, std::size_t) {
@@ -96,7 +96,7 @@ TEST(TaskAlpha, DenseStageIsTheChamferSumOfBothDirections) {
 TEST(TaskAlpha, DenseStageFindsItsNeighborsInTheReferences) {
   const emtr::DownsampledClouds d = small_downsampled_clouds();
   const Cloud source = emtr_test::uniform_cloud(900, 5), target = emtr_test::uniform_cloud(800, 6);
-  const emtr::TaskAlpha alpha(d, {source, target}, emtr::preset("paper"), emtr::select_kernels(),
+  const emtr::TaskAlpha alpha(d, {source, target, 0}, emtr::preset("paper"), emtr::select_kernels(),
                               grid);
   const double c = alpha.scale(EMTR_RESOLUTION_DENSE),
                forward = oracle(d.source_dense, target, pose(), c),
@@ -106,6 +106,17 @@ TEST(TaskAlpha, DenseStageFindsItsNeighborsInTheReferences) {
   EXPECT_NEAR(alpha.residuals_source(pose()).rho_sum, forward, 1e-3);
   EXPECT_NEAR(alpha.residuals_target(pose()).rho_sum, backward, 1e-3);
   EXPECT_EQ(alpha.queries(EMTR_RESOLUTION_DENSE), 350u);
+}
+
+TEST(TaskAlpha, CIsNeverBelowTheLeastOfTheReferences) {
+  const emtr::DownsampledClouds d = small_downsampled_clouds();
+  const auto scale = [&](double least) {
+    return emtr::TaskAlpha(d, {d.source_dense, d.target_dense, least}, emtr::preset("paper"),
+                           emtr::select_kernels(), grid)
+        .scale(EMTR_RESOLUTION_DENSE);
+  };
+  EXPECT_EQ(scale(0.9 * scale(0)), scale(0));
+  EXPECT_EQ(scale(0.7), 0.7);
 }
 
 TEST(TaskAlpha, IsZeroWhereTheCloudsLieOnEachOther) {

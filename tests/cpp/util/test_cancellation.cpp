@@ -34,6 +34,7 @@ emtr::Settings through_all_stages(int threads) {
   settings.threads = threads;
   settings.dense_points = 3000;
   settings.iterations = 5;
+  settings.stall_iterations = 0;
   settings.fallback_points = 4000;
   settings.fallback_candidates = 20;
   return settings;
@@ -87,6 +88,7 @@ TEST(CancellationToken, IsAskedEveryFewMillisecondsOfWorkInEachStage) {
   const Pair pair(81, points);
   emtr::Settings settings = emtr::preset("thorough");
   settings.threads = 1;
+  settings.stall_iterations = 0;
   std::map<std::string, std::size_t> polls;
   const auto count = [&](const emtr_progress& p) {
     ++polls[p.stage];
