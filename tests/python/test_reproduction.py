@@ -1,17 +1,29 @@
 """The reproduction of the paper: the log that it resumes from, its tables, tests and report."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from accuracy_fakes import REPOSITORY
 from emtr_bench.pairs import DataError
-from emtr_bench.reproduce import claims, differences, order, plan, published, significance, tables
+from emtr_bench.reproduce import (
+    claims,
+    differences,
+    order,
+    plan,
+    published,
+    significance,
+    sweep,
+    tables,
+)
 from emtr_bench.reproduce.figures_of_runs import mean_over_pairs, percent, spread
 from emtr_bench.reproduce.published import Published
 from emtr_bench.reproduce.run_log import RunLog
 from emtr_bench.reproduce.table import Cell, Table
 from evolving_methods.methods import METHODS
+
+import pyemtr
 
 
 def record(section, method, pair="bunny", index=0, row="Bunny", **figures):
@@ -157,6 +169,40 @@ def test_the_order_of_the_methods_is_beside_the_published_one():
     assert "with as many evaluations: " in order.text(runs)[0]
     assert "No two are swapped" in order.text(runs)[0]
     assert order.text(some_runs()) == []
+
+
+def test_the_sweep_has_the_errors_of_both_stages():
+    runs = [record("sweep", "delta 0.6", "a", i, E_R=0.2, E_R_sparse=1.0 + i) for i in range(2)]
+    runs.append(record("sweep", "delta 0.0", "a", 0, E_R=0.3, E_R_sparse=None))
+    made = sweep.table(runs)
+    rows = {name: [cell.ours for cell in cells] for name, cells in made.rows}
+    assert made.columns[2:4] == ["E_R, sparse stage", "E_R"]
+    assert rows["delta 0.6"][1].mean == pytest.approx(1.5)
+    assert rows["delta 0.6"][2].mean == pytest.approx(0.2)
+    assert rows["delta 0.0"][1] is None and rows["delta 0.0"][2].mean == pytest.approx(0.3)
+
+
+def test_the_sparse_stage_of_a_sweep_is_the_run_stopped_at_the_switch(relief, monkeypatch):
+    from emtr_bench.reproduce import cases
+
+    source, target, _ = relief
+    seen = {}
+
+    def errors(case, T):
+        seen.setdefault("poses", []).append(T)
+        return 1.0, 0.1
+
+    case = SimpleNamespace(source=source, target=target)
+    monkeypatch.setattr(cases, "moved_pair", lambda pair, index: case)
+    monkeypatch.setattr(cases, "pose_errors", lambda *_: (0.5, 0.05))
+    monkeypatch.setattr(sweep, "pose_errors", errors)
+    found = sweep.run("delta 0.2", None, 0, 3, 1)
+    assert (found["E_R"], found["E_R_sparse"], found["E_t_sparse"]) == (0.5, 1.0, 0.1)
+    options = {"preset": "paper", "seed": 3, "threads": 1, "switch_fraction": 0.2}
+    stopped = pyemtr.register(source, target, callback=lambda p: p.iteration == 20, **options)
+    assert stopped.transformation.tobytes() == seen["poses"][0].tobytes()
+    none = sweep.run("delta 0.0", None, 0, 3, 1)
+    assert none["E_R_sparse"] is None and len(seen["poses"]) == 1
 
 
 def test_what_the_larger_budget_gives_has_its_table_and_its_sentence():

@@ -11,7 +11,7 @@ from typing import Any
 from evolving_methods import emtr_ssc
 
 from ..jobs import side_by_side
-from . import cases, functions, modelnet, plan, precision, traditional
+from . import cases, functions, modelnet, plan, precision, sweep, traditional
 from .plan import Context, Work
 from .run_log import Record, RunLog
 
@@ -62,12 +62,7 @@ def _library(method: str, work: Work, context: Context) -> dict[str, Any]:
 
 
 def _sweep(method: str, work: Work, context: Context) -> dict[str, Any]:
-    name, value = method.split()
-    setting = {"rmp": "transfer_probability", "delta": "switch_fraction"}[name]
-    return cases.register(
-        work.pair, work.index, context.seed + work.index, context.threads, cases.PRESET,
-        {setting: float(value)},
-    )  # fmt: skip
+    return sweep.run(method, work.pair, work.index, context.seed + work.index, context.threads)
 
 
 def _evolving(method: str, work: Work, context: Context, kind: str) -> dict[str, Any]:

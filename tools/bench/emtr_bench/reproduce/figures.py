@@ -104,11 +104,16 @@ def sweep(records: Records, path: Path) -> Path | None:
         axes[row, 0].plot(values, [percent(r) for r in runs], "o-", color=OURS_COLOR)
         axes[row, 0].set_ylabel("success, %")
         axes[row, 0].set_ylim(-3, 103)
-        for column, factor, label in (("E_R", 1.0, "E_R, degrees"), ("E_t", 100.0, "E_t x 100")):
-            means = [spread(r, column, factor) for r in runs]
-            axes[row, 1].plot(values, [np.nan if m is None else m.mean for m in means], "o-",
-                              label=label)  # fmt: skip
-        axes[row, 1].legend(fontsize=8)
+        for i, (column, factor, label) in enumerate(
+            (("E_R", 1.0, "E_R, degrees"), ("E_t", 100.0, "E_t x 100"))):  # fmt: skip
+            for stage, style in ((column, "o-"), (f"{column}_sparse", "o--")):
+                means = [spread(r, stage, factor) for r in runs]
+                axes[row, 1].plot(values, [np.nan if m is None else m.mean for m in means], style,
+                                  color=f"C{i}", ms=4,
+                                  label=label if stage == column else None)  # fmt: skip
+        axes[row, 1].plot([], [], "k--", label="end of the sparse stage")
+        axes[row, 1].set_yscale("log")
+        axes[row, 1].legend(fontsize=7)
         for axis in axes[row]:
             axis.axvline(paper, color=PAPER_COLOR, lw=0.8, ls=":")
             axis.set_xlabel(f"{name} (dotted: the paper's choice)")

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 from evolving_methods.methods import CONTROLS, METHODS
 
-from . import plan, published, success_tables
+from . import plan, published, success_tables, sweep
 from .figures_of_runs import chosen, mean, mean_over_pairs, pair_rows, percent, spread
 from .run_log import Record
 from .table import Cell, Table
@@ -170,30 +170,13 @@ def errors_by_preset(records: Records) -> Table | None:
     return table
 
 
-def sweep(records: Records) -> Table | None:
-    mine = chosen(records, "sweep")
-    if not mine:
-        return None
-    table = Table(
-        "sweep", f"Success and errors over rmp and delta, {mine[0]['row'] or mine[0]['pair']}",
-        ["setting", "success %", "E_R", "E_t x 100", "million queries", "runs"],
-    )  # fmt: skip
-    for name in dict.fromkeys(r["method"] for r in mine):
-        runs = chosen(mine, "sweep", name)
-        table.rows.append((name, [
-            Cell(percent(runs), digits=1), Cell(spread(runs, "E_R")),
-            Cell(spread(runs, "E_t", 100.0)), Cell(mean(runs, "queries", 1e-6), digits=2),
-            Cell(str(len(runs)))]))  # fmt: skip
-    return table
-
-
 def is_control(name: str) -> bool:
     return any(name == method.name for method in CONTROLS)
 
 
 ALL: tuple[Callable[[Records], Table | None], ...] = (
     *success_tables.ALL, alpha_beta, traditional, sparse_to_dense, run_time, presets,
-    errors_by_preset, sweep,
+    errors_by_preset, sweep.table,
 )  # fmt: skip
 
 
