@@ -85,12 +85,13 @@ def test_stopped_between_iterations_the_best_pose_so_far_is_given(pair):
         pair.source,
         pair.target,
         iterations=50,
+        stall_iterations=0,
         threads=2,
         callback=lambda progress: progress.iteration == 5,
     )
     assert result.reason == "interrupted" and result.iterations == 5
     assert len(result.history["alpha"]) == 5 and np.isfinite(result.transformation).all()
-    problem = pyemtr.Problem(pair.source, pair.target, iterations=50, threads=2)
+    problem = pyemtr.Problem(pair.source, pair.target, iterations=50, stall_iterations=0, threads=2)
     again = problem.solve(lambda progress: progress.iteration == 5)
     assert again.transformation.tobytes() == result.transformation.tobytes()
 
