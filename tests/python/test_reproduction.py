@@ -205,6 +205,35 @@ def test_the_sparse_stage_of_a_sweep_is_the_run_stopped_at_the_switch(relief, mo
     assert none["E_R_sparse"] is None and len(seen["poses"]) == 1
 
 
+def test_the_mean_over_the_rows_is_told_with_and_without_other_data():
+    rows = [("Bunny", 0.2, 0.4), ("7a (stand-in)", 1.0, 0.1)]
+    cells = [(row, [Cell(Published(ours), Published(paper))]) for row, ours, paper in rows]
+    said = differences.text([], [Table("sparse_to_dense", "", [], cells)])
+    assert any("in 1 of 2 rows. Over all rows it is 0.600 (0.250), without other data it is "
+               "0.200 (0.400). Section" in line for line in said)  # fmt: skip
+    said = differences.text([], [Table("sparse_to_dense", "", [], cells[:1])])
+    assert any("1 rows. Over all rows it is 0.200 (0.400). Section" in line for line in said)
+
+
+def test_pictures_have_each_method_once_and_ours_the_last(tmp_path):
+    from emtr_bench.reproduce import scenes
+
+    T = np.eye(4).tolist()
+    pair = SimpleNamespace(name="bunny", paper_row="Bunny")
+    runs = [record("library", plan.OURS, T=T), record("library", plan.DEFAULT, T=T)]
+    runs += [record("evolving", "PSO", fitness=0.5), record("evolving", "CMA-ES", T=T)]
+    runs += [record("evaluations", "PSO", T=T), record("evaluations", "PSO", index=1, T=T)]
+    runs += [record("traditional", "FGR", T=None, E_R=None)]
+    found = scenes.methods(runs, pair)
+    assert list(found) == ["PSO", "CMA-ES", "FGR", plan.OURS]
+    assert found["PSO"]["section"] == "evaluations" and found["PSO"]["index"] == 0
+    cloud = np.random.default_rng(0).normal(size=(300, 3))
+    case = SimpleNamespace(source=cloud, target=cloud, scale=3.0)
+    case.motion = SimpleNamespace(T_true=np.eye(4))
+    path = scenes._picture(case, found, tmp_path / "bunny.png")
+    assert path.read_bytes().startswith(b"\x89PNG")
+
+
 def test_what_the_larger_budget_gives_has_its_table_and_its_sentence():
     runs = some_runs() + [record("evaluations", "PSO", pair, 0) for pair in ("a", "b")]
     made = {table.name: table for table in tables.made(runs)}

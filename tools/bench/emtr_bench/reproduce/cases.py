@@ -75,8 +75,9 @@ def evolve(pair: Pair, index: int, seed: int, threads: int, method: Method, kind
     points = alpha.cost
     best = alpha.best_genes
     found = errors(case, problem, best) if best is not None else {"E_R": np.nan, "E_t": np.nan}
+    T = None if best is None else problem.to_transformation(best).tolist()
     return {
-        **found, "cpu_search": seconds, "queries": run.used, "evaluations": run.evaluations,
+        **found, "T": T, "cpu_search": seconds, "queries": run.used, "evaluations": run.evaluations,
         "fitness": alpha.best_fitness / points,
         "history": [[used, value / points] for used, value in alpha.history],
     }  # fmt: skip

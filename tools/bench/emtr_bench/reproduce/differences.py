@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from ..paper_tables import short_name
 from . import order, plan, precision, published
 from .figures_of_runs import chosen, mean_over_pairs, percent, spread
+from .published import Published
 from .run_log import Record
 from .table import Table
 from .tables import lower_in
@@ -93,10 +94,24 @@ def _precision(tables: Sequence[Table]) -> list[str]:
             lower, of = lower_in(table, 0)
             if of:
                 return [
-                    f"The mean E_R of EMTR-SSC is below the published one in {lower} of {of} rows. "
-                    "Section `precision` tries what the paper leaves open."
+                    f"The mean E_R of EMTR-SSC is below the published one in {lower} of {of} rows."
+                    f"{_means_of_rows(table)} Section `precision` tries what the paper leaves open."
                 ]
     return []
+
+
+def _means_of_rows(table: Table) -> str:
+    """The mean over the rows, all of them and those of the paper's own data."""
+    both = [(row, cells[0].ours, cells[0].paper) for row, cells in table.rows]
+    rows = [(row, ours.mean, paper.mean) for row, ours, paper in both
+            if isinstance(ours, Published) and isinstance(paper, Published)]  # fmt: skip
+    own = [values for values in rows if short_name(values[0]) == values[0]]
+    said = ""
+    for some, what in ((rows, "Over all rows"), (own, "without other data")):
+        if some and (some is rows or len(own) < len(rows)):
+            ours, paper = (sum(values[i] for values in some) / len(some) for i in (1, 2))
+            said += f"{',' if said else ''} {what} it is {ours:.3f} ({paper:.3f})"
+    return f"{said}." if said else ""
 
 
 def _readings(records: Sequence[Record]) -> list[str]:

@@ -77,7 +77,7 @@ def page(
     if pictures:
         lines += ["## Pairs", ""]
     for row, file in pictures:
-        lines += [f"![{row}: before, after, and the error]({_relative(file, path)})", ""]
+        lines += [f"![{row}: the input, each method, and the truth]({_relative(file, path)})", ""]
     return "\n".join(lines).rstrip() + "\n"
 
 

@@ -61,6 +61,7 @@ def run(method: str, pair: Pair, index: int, seed: int) -> dict[str, Any]:
         u, _, vt = np.linalg.svd(T[:3, :3])
         T[:3, :3] = u @ vt  # PCL's floats are a little off
         figures["E_R"], figures["E_t"] = pose_errors(moved_pair(pair, index), T)
+        figures["T"] = T.tolist()
     return figures
 
 
