@@ -75,8 +75,7 @@ const std::vector<Setting>& setting_table() {
       SETTING(dense_reference, Choice, "", EMTR_REFERENCE_DENSE, EMTR_REFERENCE_WHOLE,
               EMTR_REFERENCE_DENSE, "task alpha",
               "points in which the dense stage looks for neighbors: those of the dense clouds, or "
-              "of the "
-              "whole clouds, and then c is at least two of their spacings",
+              "of the whole clouds, and then c is at least two of their spacings",
               "dense,whole"),
       SETTING(translation_bound, Real, "radii", 1e-3, 4, 1.2, "task alpha",
               "half the side of the box searched for translations", ""),

@@ -29,6 +29,7 @@ SHAPE_PRESETS = ("paper", "default", "fast")
 #: What a smoke run leaves out: what only repeats another method with other numbers.
 SMOKE_SECTIONS = ("library", "evolving", "tasks", "sweep")
 SMOKE_SWEEP = (plan.rate_name(0.0), plan.rate_name(0.7), plan.switch_name(0.6))
+QUICK_SWEEP = (*SMOKE_SWEEP, plan.rate_name(0.3), plan.switch_name(0.0), plan.switch_name(0.3))
 
 
 def reproduce(arguments: argparse.Namespace) -> int:
@@ -114,7 +115,8 @@ def choose(
         return small[:1], 1, [s for s in sections if s in SMOKE_SECTIONS], names
     if arguments.quick:
         sections = arguments.section or [s for s in SECTIONS if s != "functions"]
-        return small[:QUICK_PAIRS], min(arguments.transforms, QUICK_TRANSFORMS), sections, {}
+        transforms = min(arguments.transforms, QUICK_TRANSFORMS)
+        return small[:QUICK_PAIRS], transforms, sections, {"sweep": QUICK_SWEEP}
     return pairs, arguments.transforms, sections, {}
 
 
