@@ -26,12 +26,9 @@ TaskAlpha::DenseReferences dense_references(const Problem& problem) {
   const NormalizedPair& pair = problem.pair;
   if (problem.settings.dense_reference == DenseReference::Dense)
     return {problem.downsampled.source_dense, problem.downsampled.target_dense, 0};
-  const auto spacing = [&](const PreprocessedCloud& cloud) {
-    return cloud.spacing() * (cloud.radius / pair.normalization.scale);
-  };
-  return {
-      pair.source, pair.target,
-      kSpacings * std::max(spacing(*pair.preprocessed_source), spacing(*pair.preprocessed_target))};
+  const double wider = std::max(spacing(*pair.preprocessed_source, pair.normalization),
+                                spacing(*pair.preprocessed_target, pair.normalization));
+  return {pair.source, pair.target, kSpacings * wider};
 }
 
 }  // namespace

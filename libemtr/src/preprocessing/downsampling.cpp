@@ -55,12 +55,12 @@ double find_leaf(const std::function<std::size_t(float)>& count, double wanted, 
 /// neither downsampling nor the neighborhoods of normals and features work. This matters only for
 /// clouds of few points: the sparser one, however many points the other has.
 double finest_leaf(const NormalizedPair& pair, const Settings& settings) {
-  const auto spacing = [&](const PreprocessedCloud& cloud) {
+  const auto spacing_of_few = [&](const PreprocessedCloud& cloud) {
     if (cloud.base.size() > 4 * static_cast<std::size_t>(settings.dense_points)) return 0.0;
-    return cloud.spacing() * (cloud.radius / pair.normalization.scale);
+    return spacing(cloud, pair.normalization);
   };
-  const double wider =
-      std::max(spacing(*pair.preprocessed_source), spacing(*pair.preprocessed_target));
+  const double wider = std::max(spacing_of_few(*pair.preprocessed_source),
+                                spacing_of_few(*pair.preprocessed_target));
   // Along an outline the nearest of two neighbors is much nearer than the other.
   const double spacings = settings.minimum_leaf_spacing * (pair.extruded ? 2 : 1);
   return std::clamp(spacings * wider, kFinestLeaf, kCoarsestLeaf / 2);

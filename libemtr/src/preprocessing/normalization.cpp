@@ -15,6 +15,10 @@ Cloud scale_cloud(const Cloud& cloud, double factor) {
   return out;
 }
 
+double spacing(const PreprocessedCloud& cloud, const Normalization& normalization) {
+  return cloud.spacing() * (cloud.radius / normalization.scale);
+}
+
 NormalizedPair normalize(PreprocessedCloudPtr source, PreprocessedCloudPtr target) {
   NormalizedPair pair;
   pair.normalization.scale = std::max(source->radius, target->radius);

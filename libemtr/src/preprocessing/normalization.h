@@ -33,6 +33,9 @@ struct NormalizedPair {
 /// Returns all coordinates times a factor.
 Cloud scale_cloud(const Cloud& cloud, double factor);
 
+/// Returns the mean distance of a cloud's base point to its nearest other, in the normalized frame.
+double spacing(const PreprocessedCloud& cloud, const Normalization& normalization);
+
 NormalizedPair normalize(PreprocessedCloudPtr source, PreprocessedCloudPtr target);
 
 /// Tells whether both clouds came with normals, so that for both the side is known to which they

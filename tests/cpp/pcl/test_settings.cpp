@@ -64,7 +64,7 @@ TEST_F(Settings, AnotherSeedTakesAnotherWay) {
 TEST_F(Settings, MaximumIterationsIsTheNumberOfGenerations) {
   EXPECT_EQ(reg.getMaximumIterations(), 25);
   align();
-  EXPECT_LT(reg.iterationsDone(), 25);  // the best pose stays in one place
+  EXPECT_EQ(reg.iterationsDone(), 5);  // the best pose stays in one place
   ASSERT_TRUE(reg.setSetting("stall_iterations", 0));
   align();
   EXPECT_EQ(reg.iterationsDone(), 25);
