@@ -22,18 +22,20 @@ def run(method: str, pair: Pair, index: int, seed: int, threads: int) -> dict[st
     """A run of preset `paper` with "rmp 0.3", or "delta 0.3", and the errors of gbest at the end of
     its sparse stage: the same run, stopped there."""
     name, value = method.split()
-    settings = {SETTINGS[name]: float(value)}
-    found = cases.register(pair, index, seed, threads, cases.PRESET, settings)
     case = cases.moved_pair(pair, index)
     problem = pyemtr.Problem(
-        case.source, case.target, preset=cases.PRESET, seed=seed, threads=threads, **settings
-    )
+        case.source, case.target, preset=cases.PRESET, seed=seed, threads=threads,
+        **{SETTINGS[name]: float(value)},
+    )  # fmt: skip
+    whole = problem.solve()
+    E_R, E_t = pose_errors(case, whole.transformation)
+    found = {"E_R": E_R, "E_t": E_t, "queries": whole.queries["evaluation"]}
     switch = math.ceil(problem.settings["switch_fraction"] * problem.settings["iterations"] - 1e-9)
-    rotation = translation = None
+    E_R = E_t = None
     if switch > 0:
         sparse = problem.solve(lambda progress: progress.iteration == switch)
-        rotation, translation = pose_errors(case, sparse.transformation)
-    return {**found, "E_R_sparse": rotation, "E_t_sparse": translation}
+        E_R, E_t = pose_errors(case, sparse.transformation)
+    return {**found, "E_R_sparse": E_R, "E_t_sparse": E_t}
 
 
 def table(records: Sequence[Record]) -> Table | None:
