@@ -28,7 +28,9 @@ def draw(sample: Sample) -> Figure:
     figure, (alpha, beta) = new_figure(9, 3.4, columns=2)
     for preset, color, label in PRESETS:
         for seed in range(RUNS):
-            run = pyemtr.register(sample.source, sample.target, preset=preset, seed=seed)
+            run = pyemtr.register(
+                sample.source, sample.target, preset=preset, seed=seed, stall_iterations=0
+            )
             share = np.arange(1, run.iterations + 1) / run.iterations
             rho, switch = mean_rho(run)
             line = {"color": color, "alpha": 0.75, "linewidth": 1.2}

@@ -65,7 +65,7 @@ def test_says_what_came_out(report, tmp_path, pair):
     assert counts["dropped_source"] == counts["dropped_target"] == 0
     assert 0 < counts["sparse_source"] < counts["dense_source"] <= len(pair.source)
     assert counts["tims_pruned"] <= counts["tims"]
-    assert 4 < counts["iterations"] == len(report["history"]["alpha"]) <= 25
+    assert counts["iterations"] == len(report["history"]["alpha"]) == 5  # in one place from then on
     assert counts["seeds"] > 0 and counts["candidates"] > 0
 
 

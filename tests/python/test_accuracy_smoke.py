@@ -40,6 +40,16 @@ def test_the_real_library_keeps_to_the_papers_formula():
     assert "2 of 2 pairs PASS" in done.stdout
 
 
+def test_queries_are_counted_over_all_iterations_where_the_evolution_would_end_early():
+    done = run("--smoke", "--queries", "--preset", "default", EMTR_DATA="/nowhere")
+    rows = [
+        line.split() for line in done.stdout.splitlines() if line.endswith(("  PASS", "  FAIL"))
+    ]
+    assert len(rows) == 2, done.stdout + done.stderr
+    for _, _, _, formula, counted, without, counted_without, *_ in rows:
+        assert formula == counted and without == counted_without
+
+
 def test_unknown_settings_are_refused_by_name():
     done = run("--smoke", "--set", "popluation=3", EMTR_DATA="/nowhere")
     assert done.returncode == 2 and "did you mean population" in done.stderr

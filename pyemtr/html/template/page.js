@@ -159,8 +159,8 @@ function fillConvergence() {
   const transfer = settings.transfer
     ? `In each iteration the tasks exchange what they know with a chance of ${percent(settings.transfer_probability)}.`
     : "The tasks exchanged nothing.";
-  const change = switchAt ? ` Task alpha goes from the sparse to the dense clouds after iteration ${switchAt}.` : "";
-  const ended = past.alpha.length < planned ? ` Stopped after ${past.alpha.length} of ${planned} iterations.` : "";
+  const change = switchAt && past.alpha.length > switchAt ? ` Task alpha goes from the sparse to the dense clouds after iteration ${switchAt}.` : "";
+  const ended = past.alpha.length < planned ? ` It ended after ${past.alpha.length} of ${planned} iterations.` : "";
   box.append(element("p", { class: "faint" }, transfer + change + ended));
 }
 
