@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import shutil
 import signal
@@ -13,10 +14,10 @@ import pytest
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
 sys.path.append(str(TOOLS))
 
-from portability_chroots import chroot, program, syntax  # noqa: E402
+from portability_chroots import chroot, pair, program, syntax  # noqa: E402
 from portability_chroots.arguments import parse  # noqa: E402
 from portability_chroots.chroot import Chroot, ChrootFailure  # noqa: E402
-from portability_chroots.steps import steps  # noqa: E402
+from portability_chroots.steps import PAIR_FOLDER, bits_path, steps  # noqa: E402
 
 
 @pytest.fixture
@@ -48,10 +49,11 @@ def test_all_steps_run_with_each_compiler(fake, capsys) -> None:
         "CXX=clang++" in script for script in scripts
     )
     assert sum("ctest" in script and "-R '^c_api'" in script for script in scripts) == 2
-    said = capsys.readouterr().out.splitlines()[-2:]
+    said = capsys.readouterr().out.splitlines()[-3:]
     assert said == [
         f"trixie     gcc    passed, {count} warnings of the compiler",
         f"trixie     clang  passed, {count} warnings of the compiler",
+        "generated pair: registered nowhere",  # no chroot was there to do it
     ]
 
 
@@ -63,6 +65,58 @@ def test_a_step_that_fails_is_named_and_the_others_go_on(fake, capsys, tmp_path)
     said = capsys.readouterr().out
     assert f"trixie     gcc    FAILED: ctest, see {tmp_path}/trixie-gcc.log" in said
     assert "testing    clang  passed" in said
+
+
+def test_poses_of_other_bits_are_a_failure(monkeypatch, tmp_path, capsys) -> None:
+    poses = {"trixie": "1 0 0 0\n", "testing": "1 0 0 0\n"}
+
+    def run(self: Chroot, script: str, out) -> int:
+        if f"{PAIR_FOLDER}\n" in script:
+            assert (self.root / "build/pair/source.xyz").stat().st_size > 0
+            (self.root / bits_path("gcc").lstrip("/")).write_text(poses[self.suite])
+        return 0
+
+    monkeypatch.setattr(Chroot, "make", lambda self, mirror, reuse: None)
+    monkeypatch.setattr(Chroot, "run", run)
+    words = ["--folder", str(tmp_path), "--suites", "trixie", "testing", "--compilers", "gcc"]
+    assert program.main(words) == 0
+    assert "generated pair: the same bits in all 2, " in capsys.readouterr().out
+    poses["testing"] = "1 0 0 1e-17\n"
+    assert program.main(words) == 1
+    said = "FAILED: the generated pair has other bits by testing gcc than by trixie gcc"
+    assert said in capsys.readouterr().out
+
+
+def test_the_generated_pair_has_the_same_bytes_everywhere(tmp_path) -> None:
+    pair.write(tmp_path)
+    both = b"".join((tmp_path / name).read_bytes() for name in ("source.xyz", "target.xyz"))
+    assert hashlib.sha256(both).hexdigest()[:16] == "453604f343db84e3"
+
+
+def test_another_processor_is_built_for_by_this_ones_compiler(fake, capsys) -> None:
+    status, scripts = fake("no such word", "--suites", "trixie", "--architecture", "arm64")
+    assert status == 0
+    assert all("CXX=g++" not in script for script in scripts)
+    assert any("CXX=aarch64-linux-gnu-g++" in script for script in scripts)
+    assert not any("cpack" in script for script in scripts)
+    assert any("registered_pair.py" in script for script in scripts)
+    assert "trixie-arm64 gcc    passed" in capsys.readouterr().out
+
+
+def test_the_tools_of_a_foreign_chroot_are_not_emulated(monkeypatch, tmp_path) -> None:
+    monkeypatch.setattr(chroot.subprocess, "check_output", lambda words, text: "amd64\n")
+    packages = Chroot(tmp_path, "trixie", "arm64").packages()
+    assert {"g++-aarch64-linux-gnu:amd64", "cmake:amd64", "libpcl-dev"} <= set(packages)
+    assert not {"g++", "cmake", "clang"} & set(packages)
+
+
+def test_what_runs_another_processors_programs_is_named(monkeypatch, tmp_path) -> None:
+    monkeypatch.setattr(chroot.os, "geteuid", lambda: 0)
+    monkeypatch.setattr(chroot.shutil, "which", lambda name: name)
+    monkeypatch.setattr(chroot.subprocess, "check_output", lambda words, text: "amd64\n")
+    monkeypatch.setattr(chroot, "BINFMT", tmp_path)
+    with pytest.raises(ChrootFailure, match="qemu-user-static"):
+        Chroot(tmp_path, "trixie", "arm64").make("http://localhost", reuse=False)
 
 
 def test_what_is_no_chroot_of_ours_is_not_removed(monkeypatch, tmp_path, capsys) -> None:

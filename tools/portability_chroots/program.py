@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 import argparse
+import hashlib
 import signal
 import sys
 import time
 from collections.abc import Sequence
 
-from . import syntax
+from . import pair, syntax
 from .arguments import parse
 from .chroot import Chroot, ChrootFailure
-from .steps import steps
+from .steps import PAIR_FOLDER, bits_path, steps
 
 TAIL = 40  # lines of a log
 
 
 def try_compiler(chroot: Chroot, compiler: str, arguments: argparse.Namespace) -> str:
     """Runs the steps up to the first that fails; returns the verdict in one line."""
-    log = chroot.folder / f"{chroot.suite}-{compiler}.log"
+    log = chroot.folder / f"{chroot.name}-{compiler}.log"
     with log.open("w") as out:
         for name, script in steps(compiler, arguments):
             began = time.monotonic()
-            print(f"{chroot.suite} {compiler}: {name} ... ", end="", flush=True)
+            print(f"{chroot.name} {compiler}: {name} ... ", end="", flush=True)
             out.write(f"== {name}\n")
             out.flush()
             status = chroot.run(script, out)
@@ -34,19 +35,39 @@ def try_compiler(chroot: Chroot, compiler: str, arguments: argparse.Namespace) -
     return f"passed, {warnings} warnings of the compiler"
 
 
+def compare_bits(found: dict[str, str]) -> str:
+    """Returns a line about the poses of the generated pair, by chroot and compiler."""
+    if not found:
+        return "generated pair: registered nowhere"
+    first, bits = next(iter(found.items()))
+    others = [name for name, text in found.items() if text != bits]
+    if others:
+        return f"FAILED: the generated pair has other bits by {', '.join(others)} than by {first}"
+    digest = hashlib.sha256(bits.encode()).hexdigest()[:16]
+    return f"generated pair: the same bits in all {len(found)}, {digest}"
+
+
 def in_chroots(arguments: argparse.Namespace) -> int:
-    verdicts = {}
+    verdicts, bits = {}, {}
     for suite in arguments.suites:
-        chroot = Chroot(arguments.folder, suite)
-        print(f"{suite}: the chroot in {chroot.root} ... ", end="", flush=True)
+        chroot = Chroot(arguments.folder, suite, arguments.architecture)
+        print(f"{chroot.name}: the chroot in {chroot.root} ... ", end="", flush=True)
         chroot.make(arguments.mirror, arguments.reuse)
         print("done")
+        pair.write(chroot.root / PAIR_FOLDER.lstrip("/"))
         for compiler in arguments.compilers:
-            verdicts[suite, compiler] = try_compiler(chroot, compiler, arguments)
+            poses = chroot.root / bits_path(compiler).lstrip("/")
+            poses.unlink(missing_ok=True)
+            verdicts[chroot.name, compiler] = try_compiler(chroot, compiler, arguments)
+            if poses.is_file():
+                bits[f"{chroot.name} {compiler}"] = poses.read_text()
+    compared = compare_bits(bits)
     print()
-    for (suite, compiler), verdict in verdicts.items():
-        print(f"{suite:10} {compiler:6} {verdict}")
-    return int(any(verdict.startswith("FAILED") for verdict in verdicts.values()))
+    for (name, compiler), verdict in verdicts.items():
+        print(f"{name:10} {compiler:6} {verdict}")
+    print(compared)
+    said = [*verdicts.values(), compared]
+    return int(any(verdict.startswith("FAILED") for verdict in said))
 
 
 def by_syntax(arguments: argparse.Namespace) -> int:

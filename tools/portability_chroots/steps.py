@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import shlex
 
-from .arguments import COMPILERS
+from .arguments import COMPILERS, CROSS_COMPILERS
 
 HEADERS = "emtr_headers emtr_class_headers emtr_command_headers"
 # The sources are read-only: neither bytecode nor pytest's cache is written beside them.
@@ -28,12 +28,27 @@ lintian --allow-root --fail-on error {build}/debs/*.deb
 apt-get remove -y "libemtr[0-9]*"
 if ls /usr/bin/pcl_emtr /usr/lib/*/lib*emtr.* 2>/dev/null | grep .; then exit 1; fi
 """
+# Status 3 is a pose that is not registered, whose bits count as well.
+PAIR = """\
+cd {pair}
+for preset in default fast thorough paper; do
+  pcl_emtr source.xyz target.xyz --preset $preset --seed 1 -o T.txt || test $? = 3
+  cat T.txt >> {bits}
+done
+"""
+PAIR_FOLDER = "/build/pair"
+
+
+def bits_path(compiler: str) -> str:
+    """Where in the chroot the matrices of the generated pair are written."""
+    return f"/build/{compiler}.bits"
 
 
 def steps(compiler: str, arguments: argparse.Namespace) -> list[tuple[str, str]]:
     """The name and the shell script of each step; each needs those before it."""
     build = f"/build/{compiler}"
-    c, cxx = COMPILERS[compiler]
+    foreign = arguments.architecture
+    c, cxx = CROSS_COMPILERS[foreign] if foreign else COMPILERS[compiler]
     start = f"export CC={c} CXX={cxx}; {CCACHE}"
     compile_ = f"{start}cmake --build {build} --parallel {arguments.jobs}"
     fresh = "" if arguments.reuse else f"rm -rf {build}; "
@@ -44,8 +59,12 @@ def steps(compiler: str, arguments: argparse.Namespace) -> list[tuple[str, str]]
         f"ln -sf $(command -v {cxx}) {build}/bin/c++; export PATH={build}/bin:$PATH; cd /tmp; "
     )
     packages = PACKAGES.format(build=build, jobs=arguments.jobs, pytest=PYTEST)
+    python = "-DEMTR_BUILD_PYTHON=ON" if foreign else ""
+    of_python = f"PYTHONPATH={build}/python python3 /source/tools/wheel_build/registered_pair.py"
+    last = ("Python", of_python) if foreign else ("packages", f"{start}{ours}{packages}")
     return [
-        ("configure", f"{start}{fresh}cmake -S /source -B {build} -G Ninja -DEMTR_BUILD_TESTS=ON"),
+        ("configure", f"{start}{fresh}cmake -S /source -B {build} -G Ninja -DEMTR_BUILD_TESTS=ON "
+         f"{python}"),
         ("libraries, command", f"{compile_} --target emtr emtr_pcl emtr_command"),
         ("headers alone", f"{compile_} --target {HEADERS}"),
         ("tests built", compile_),
@@ -56,5 +75,6 @@ def steps(compiler: str, arguments: argparse.Namespace) -> list[tuple[str, str]]
          "/source/tests/consumers/test_snippets.py"),
         ("consumers", f"{start}{ours}EMTR_BUILD_DIR={build} {PYTEST} /source/tests/consumers "
          "--ignore /source/tests/consumers/test_snippets.py"),
-        ("packages", f"{start}{ours}{packages}"),
+        ("generated pair", PAIR.format(pair=PAIR_FOLDER, bits=bits_path(compiler))),
+        last,
     ]  # fmt: skip
