@@ -85,7 +85,8 @@ emtr_status emtr_problem_refine(const emtr_problem* problem, const double* trans
     const std::vector<emtr::Rigid> poses = normalized(p, transformations, count);
     required(refined, "refined");
     const emtr::FineSurfaces fine =
-        emtr::fine_surfaces(p.pair, p.settings.refine_leaf, p.downsampled.leaf_dense, p.kernels);
+        emtr::fine_surfaces(p.pair, p.settings.refine_leaf, p.downsampled.leaf_dense, p.kernels,
+                            emtr::thread_count(p.settings));
     for (std::size_t i = 0; i < count; ++i) {
       const emtr::Refined found = emtr::refine(fine, emtr::admissible_pose(p, poses[i]), p.settings,
                                                p.kernels, p.prior.get());

@@ -3,12 +3,12 @@
 namespace emtr {
 namespace {
 
-constexpr float kReach = 4;  // leaves that coarse_refinement() asks for
-constexpr float kCell = 1.5;
+constexpr float kReach = 4;         // leaves that coarse_refinement() asks for
+constexpr double kQueries = 1.5e5;  // of a registration without a fallback search, about
 
 std::unique_ptr<Neighbors> neighbors(const Surface& surface, const Kernels& kernels) {
   const auto leaf = static_cast<float>(surface.leaf);
-  return make_candidate_grid(surface.points, kReach * leaf, kCell * leaf, kernels);
+  return make_neighbors(surface.points, kReach * leaf, kQueries, kernels);
 }
 
 }  // namespace

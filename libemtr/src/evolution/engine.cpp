@@ -34,7 +34,7 @@ class Engine {
                    rotation_steps(settings, space_, seeded)),
         scratch_(threads),
         resolution_(settings.sparse_to_dense ? EMTR_RESOLUTION_SPARSE : EMTR_RESOLUTION_DENSE),
-        may_stall_(seeded && settings.candidates > 0 && settings.stall_iterations > 0) {}
+        may_stall_(seeded && may_stall(settings)) {}
 
   void place(const Starts& starts) {
     std::vector<Rigid> all = starts.guesses;

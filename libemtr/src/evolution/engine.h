@@ -39,6 +39,11 @@ struct Evolution {
 /// to stop.
 using OnIteration = std::function<bool(int, double, double)>;
 
+/// Tells whether an evolution that starts from seeds may end once gbest stays in one place.
+inline bool may_stall(const Settings& settings) {
+  return settings.candidates > 0 && settings.stall_iterations > 0;
+}
+
 /// Evolves both swarms together (Algorithm 1), in parallel over the particles of both tasks. All
 /// particles keep to the prior, unless it is null.
 Evolution evolve(const TaskAlpha& alpha, const TaskBeta& beta,

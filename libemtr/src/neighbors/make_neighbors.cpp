@@ -6,34 +6,54 @@
 namespace emtr {
 namespace {
 
-// Nanoseconds, measured on downsampled scans of 600 to 100 000 points; see tools/bench/neighbors.
-constexpr double kGridReach = 8, kGridQuery = 5;
-constexpr double kVoxelPoint = 250, kVoxelQuery = 5, kVoxelStep = 0.6;
+constexpr float kCells[] = {1, 1.5f, 2, 3, 4, 6};  // sides of a grid's cells, spacings
+constexpr double kCached = 2e6;                    // bytes of a grid that stay near the processor
 
 double extent(const std::vector<float>& axis) {
   const auto [low, high] = std::minmax_element(axis.begin(), axis.end());
   return static_cast<double>(*high) - static_cast<double>(*low);
 }
 
-}  // namespace
-
-NeighborCosts estimate_costs(const Cloud& cloud, float radius, float leaf, double queries) {
-  const double n = static_cast<double>(cloud.size()), r = static_cast<double>(radius);
+/// Returns about the distance between neighboring points: a scan covers about half of its box's
+/// surface.
+double estimate_spacing(const Cloud& cloud, double radius) {
   const double sides[3] = {extent(cloud.x), extent(cloud.y), extent(cloud.z)};
-  const double reach = std::pow(2 * r / static_cast<double>(leaf) + 1, 3);  // cells of a point
-  // A scan covers about half of its box's surface. A query reads the points of an area of three by
-  // three cells, eight in a step, and takes a few more steps because rows of cells end anywhere.
   const double area = sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0];
-  const double near = n * std::min(1.0, 9 * r * r / std::max(area, 9 * r * r));
-  return {n * kGridReach * reach + queries * kGridQuery,
-          n * kVoxelPoint + queries * (kVoxelQuery + kVoxelStep * (2.5 + near / 8))};
+  return std::sqrt(std::max(area, 9 * radius * radius) / static_cast<double>(cloud.size()));
 }
 
-std::unique_ptr<Neighbors> make_neighbors(const Cloud& cloud, float radius, float leaf,
-                                          double queries, const Kernels& kernels) {
-  const NeighborCosts costs = estimate_costs(cloud, radius, leaf, queries);
-  if (costs.voxel_cells < costs.candidate_grid) return make_voxel_cells(cloud, radius, kernels);
-  return make_candidate_grid(cloud, radius, leaf, kernels);
+// Nanoseconds, fitted to downsampled scans of 500 to 150 000 points, radii of 1.2 to 5 spacings;
+// see tools/bench/neighbors.
+
+double estimate_grid(double n, double radius, double cell, double queries) {
+  const double visits = std::pow(2 * radius / cell + 1, 3);  // cells that list a point, at most
+  const double misses = std::max(0.0, std::log2(5 * n * visits / kCached));
+  return n * (50 + 25 * std::pow(visits, 0.75)) +
+         queries * (5 + cell * (3.3 + 1.5 * radius) + 10 * misses);
+}
+
+double estimate_voxels(double n, double radius, double queries) {
+  return n * (30 + 500 * std::pow(radius, -1.6)) + queries * (5 + radius * (8 + 2 * radius));
+}
+
+}  // namespace
+
+NeighborPlan plan_neighbors(const Cloud& cloud, float radius, double queries) {
+  const double n = static_cast<double>(cloud.size()), r = static_cast<double>(radius),
+               spacing = estimate_spacing(cloud, r);
+  NeighborPlan best{0, estimate_voxels(n, r / spacing, queries)};
+  for (const float cell : kCells) {
+    const double cost = estimate_grid(n, r / spacing, static_cast<double>(cell), queries);
+    if (cost < best.nanoseconds) best = {cell * static_cast<float>(spacing), cost};
+  }
+  return best;
+}
+
+std::unique_ptr<Neighbors> make_neighbors(const Cloud& cloud, float radius, double queries,
+                                          const Kernels& kernels) {
+  const NeighborPlan plan = plan_neighbors(cloud, radius, queries);
+  return plan.cell > 0 ? make_candidate_grid(cloud, radius, plan.cell, kernels)
+                       : make_voxel_cells(cloud, radius, kernels);
 }
 
 }  // namespace emtr

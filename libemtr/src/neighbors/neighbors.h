@@ -41,14 +41,15 @@ std::unique_ptr<Neighbors> make_candidate_grid(const Cloud& cloud, float radius,
 std::unique_ptr<Neighbors> make_voxel_cells(const Cloud& cloud, float radius,
                                             const Kernels& kernels);
 
-/// Estimated nanoseconds to make each structure and to answer `queries` queries with it.
-struct NeighborCosts {
-  double candidate_grid, voxel_cells;
+/// The structure that answers so many queries soonest, its making included.
+struct NeighborPlan {
+  float cell = 0;          ///< side of a candidate grid's cells; 0 for voxel cells
+  double nanoseconds = 0;  ///< estimated
 };
-NeighborCosts estimate_costs(const Cloud& cloud, float radius, float leaf, double queries);
+NeighborPlan plan_neighbors(const Cloud& cloud, float radius, double queries);
 
-/// Makes the cheaper of the two; both give the same bits. `leaf` is the side of the grid's cells.
-std::unique_ptr<Neighbors> make_neighbors(const Cloud& cloud, float radius, float leaf,
-                                          double queries, const Kernels& kernels);
+/// Makes the structure planned for `queries` queries; all give the same bits.
+std::unique_ptr<Neighbors> make_neighbors(const Cloud& cloud, float radius, double queries,
+                                          const Kernels& kernels);
 
 }  // namespace emtr

@@ -2,22 +2,34 @@
 #include <optional>
 #include <utility>
 
+#include "evolution/engine.h"
 #include "neighbors/kdtree_neighbors.h"
 #include "pipeline/problem_stages.h"
 #include "ranking/given_viewpoints.h"
 #include "ranking/sampling_viewpoint.h"
+#include "settings/choices.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
 
-/// Makes the structure that the settings ask for. `leaf`: side of a grid's cells; `queries`: how
-/// many it will have to answer, about.
+/// Makes the structure that the settings ask for. `queries`: how many it will have to answer,
+/// about.
 std::unique_ptr<Neighbors> make_chosen_neighbors(const Settings& settings, const Cloud& cloud,
-                                                 float radius, float leaf, double queries,
+                                                 float radius, double queries,
                                                  const Kernels& kernels) {
   if (settings.neighbors == NeighborStructure::KdTree) return make_kdtree(cloud, radius);
   if (settings.neighbors == NeighborStructure::BruteForce) return make_brute_force(cloud, radius);
-  return make_neighbors(cloud, radius, leaf, queries, kernels);
+  return make_neighbors(cloud, radius, queries, kernels);
+}
+
+/// Returns about how many iterations look for neighbors at a resolution.
+double expected_iterations(const Settings& settings, Stages stages, emtr_resolution resolution) {
+  constexpr double kGoesOn = 0.1;  // share of the runs that do not stall before the D stage
+  const double half = 0.5 * settings.iterations;
+  if (stages == Stages::All || settings.seeds == 0 || !may_stall(settings)) return half;
+  const bool first = resolution == EMTR_RESOLUTION_SPARSE || !settings.sparse_to_dense;
+  return first ? std::min(half, settings.stall_iterations + 2.0) : kGoesOn * half;
 }
 
 /// The points in which the settings let the D stage look for neighbors.
@@ -33,46 +45,56 @@ TaskAlpha::DenseReferences dense_references(const Problem& problem) {
 
 }  // namespace
 
-void make_tasks(Problem& problem) {
+void make_tasks(Problem& problem, Stages stages) {
   const Settings& settings = problem.settings;
   const DownsampledClouds& clouds = problem.downsampled;
-  const auto make = [&](const Cloud& cloud, float radius, float leaf, std::size_t queries) {
-    // Each structure serves about half of the iterations.
-    const double all =
-        0.5 * settings.population * settings.iterations * static_cast<double>(queries);
-    return make_chosen_neighbors(settings, cloud, radius, leaf, all, problem.kernels);
+  const auto make = [&](const Cloud& cloud, float radius, std::size_t queries,
+                        emtr_resolution resolution) {
+    const double all = settings.population * static_cast<double>(queries) *
+                       expected_iterations(settings, stages, resolution);
+    return make_chosen_neighbors(settings, cloud, radius, all, problem.kernels);
   };
   problem.alpha = std::make_unique<TaskAlpha>(clouds, dense_references(problem), settings,
                                               problem.kernels, make);
   problem.beta = std::make_unique<TaskBeta>(problem.tims, problem.tau, settings, problem.kernels);
-  // The complement reaches far: cells no finer than a share of that keep its structure small.
-  const double reach = settings.complement_scale_start;
-  auto far = make(clouds.target_sparse, static_cast<float>(reach),
-                  static_cast<float>(std::max(1.5 * clouds.leaf_sparse, reach / 5)),
-                  clouds.source_sparse.size());
+  auto far = make(clouds.target_sparse, static_cast<float>(settings.complement_scale_start),
+                  clouds.source_sparse.size(), EMTR_RESOLUTION_SPARSE);
   problem.complement = std::make_unique<KnowledgeComplement>(
       clouds.source_sparse, clouds.target_sparse, std::move(far), settings, problem.kernels);
 }
 
-void make_surfaces(Problem& problem) {
+Viewpoints find_viewpoints(const Problem& problem) {
+  const Normalization& n = problem.pair.normalization;
+  const GivenViewpoints given(problem.settings, n);
+  Viewpoints found = {given.source, given.target};
+  if (!problem.settings.free_space || problem.settings.candidates == 0) return found;
+  const DownsampledClouds& clouds = problem.downsampled;
+  const auto estimate = [&](const Cloud& dense, const Features& features, const Cloud& points,
+                            const double center[3], std::optional<Viewpoint>& viewpoint) {
+    if (viewpoint) return;
+    const double origin[3] = {-center[0] / n.scale, -center[1] / n.scale, -center[2] / n.scale};
+    viewpoint = estimate_sampling_viewpoint(surface(dense, features, clouds.leaf_dense), points,
+                                            origin, problem.kernels);
+  };
+  parallel_for(2, thread_count(problem.settings), [&](std::size_t i) {
+    if (i == 0)
+      estimate(clouds.source_dense, problem.source_features, problem.pair.source, n.center_source,
+               found.source);
+    else
+      estimate(clouds.target_dense, problem.target_features, problem.pair.target, n.center_target,
+               found.target);
+  });
+  return found;
+}
+
+void make_surfaces(const Viewpoints& viewpoints, Problem& problem) {
   if (problem.settings.candidates == 0) return;
   const DownsampledClouds& clouds = problem.downsampled;
   Surface source = surface(clouds.source_dense, problem.source_features, clouds.leaf_dense),
           target = surface(clouds.target_dense, problem.target_features, clouds.leaf_dense);
   source.weighted = target.weighted = problem.settings.distinctiveness != 0;
-  const Normalization& n = problem.pair.normalization;
-  const GivenViewpoints given(problem.settings, n);
-  const auto viewpoint = [&](const std::optional<Viewpoint>& known, const Surface& of,
-                             const Cloud& points, const double center[3]) {
-    if (known || !problem.settings.free_space) return known;
-    const double origin[3] = {-center[0] / n.scale, -center[1] / n.scale, -center[2] / n.scale};
-    return std::optional<Viewpoint>(
-        estimate_sampling_viewpoint(of, points, origin, problem.kernels));
-  };
-  const auto of_source = viewpoint(given.source, source, problem.pair.source, n.center_source),
-             of_target = viewpoint(given.target, target, problem.pair.target, n.center_target);
-  problem.surfaces = std::make_unique<SurfacePair>(std::move(source), std::move(target), of_source,
-                                                   of_target, problem.kernels);
+  problem.surfaces = std::make_unique<SurfacePair>(
+      std::move(source), std::move(target), viewpoints.source, viewpoints.target, problem.kernels);
 }
 
 }  // namespace emtr

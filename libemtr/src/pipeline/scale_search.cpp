@@ -48,7 +48,7 @@ std::vector<double> even_steps(const ScaleRange& range, double step) {
 std::unique_ptr<Neighbors> near_source(const SurfacePair& surfaces, const Kernels& kernels) {
   const auto leaf = static_cast<float>(surfaces.source().leaf);
   const auto radius = static_cast<float>(coarse_refinement().first_scale) * leaf;
-  return make_neighbors(surfaces.source().points, radius, 1.5f * leaf, 1e4, kernels);
+  return make_neighbors(surfaces.source().points, radius, 1e4, kernels);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ const FineSurfaces& fine(const Problem& problem, Solution& found) {
   if (!found.fine)
     found.fine = std::make_unique<FineSurfaces>(
         fine_surfaces(problem.pair, problem.settings.refine_leaf, problem.downsampled.leaf_dense,
-                      problem.kernels));
+                      problem.kernels, thread_count(problem.settings)));
   return *found.fine;
 }
 
@@ -198,12 +198,14 @@ void recognize_symmetry(Solution& found) {
 
 void measure_overlap(const Problem& problem, Solution& found) {
   const FineSurfaces& surfaces = fine(problem, found);
-  const Overlap overlap = evaluate_overlap(problem.pair, surfaces, *found.pose, problem.kernels);
+  const int threads = thread_count(problem.settings);
+  const Overlap overlap =
+      evaluate_overlap(problem.pair, surfaces, *found.pose, problem.kernels, threads);
   // Without refinement the surfaces need not lie flush where the pose is right.
   if (found.refined.succeeded && found.confidence)
-    found.confidence->probability =
-        lower_confidence(found.confidence->probability,
-                         surface_mismatch(overlap, problem.pair, surfaces, problem.kernels));
+    found.confidence->probability = lower_confidence(
+        found.confidence->probability,
+        surface_mismatch(overlap, problem.pair, surfaces, problem.kernels, threads));
   found.overlap = overlap;
 }
 
@@ -213,9 +215,15 @@ void weigh_changed_source(const Problem& problem, Solution& found) {
       found.confidence->probability < lower_for_rival(problem.settings.minimum_confidence))
     return;  // in doubt for more than a rival
   const Candidate& best = found.candidates->ranked().front();
-  weigh_changed_source(best, mirrored_score(*problem.surfaces, best.pose, problem.kernels),
-                       best_scale(*problem.surfaces, best.pose, problem.kernels),
-                       *found.confidence);
+  double mirrored = 0;
+  Rescaled rescaled;
+  parallel_for(2, thread_count(problem.settings), [&](std::size_t i) {
+    if (i == 0)
+      rescaled = best_scale(*problem.surfaces, best.pose, problem.kernels);
+    else
+      mirrored = mirrored_score(*problem.surfaces, best.pose, problem.kernels);
+  });
+  weigh_changed_source(best, mirrored, rescaled, *found.confidence);
 }
 
 void take_best_so_far(const Problem& problem, Solution& found) {

@@ -55,12 +55,13 @@ double find_leaf(const std::function<std::size_t(float)>& count, double wanted, 
 /// neither downsampling nor the neighborhoods of normals and features work. This matters only for
 /// clouds of few points: the sparser one, however many points the other has.
 double finest_leaf(const NormalizedPair& pair, const Settings& settings) {
-  const auto spacing_of_few = [&](const PreprocessedCloud& cloud) {
-    if (cloud.base.size() > 4 * static_cast<std::size_t>(settings.dense_points)) return 0.0;
-    return spacing(cloud, pair.normalization);
-  };
-  const double wider = std::max(spacing_of_few(*pair.preprocessed_source),
-                                spacing_of_few(*pair.preprocessed_target));
+  double spacings_of_few[2] = {0, 0};
+  parallel_for(2, thread_count(settings), [&](std::size_t i) {
+    const PreprocessedCloud& cloud = i == 0 ? *pair.preprocessed_source : *pair.preprocessed_target;
+    if (cloud.base.size() <= 4 * static_cast<std::size_t>(settings.dense_points))
+      spacings_of_few[i] = spacing(cloud, pair.normalization);
+  });
+  const double wider = std::max(spacings_of_few[0], spacings_of_few[1]);
   // Along an outline the nearest of two neighbors is much nearer than the other.
   const double spacings = settings.minimum_leaf_spacing * (pair.extruded ? 2 : 1);
   return std::clamp(spacings * wider, kFinestLeaf, kCoarsestLeaf / 2);

@@ -6,6 +6,7 @@
 
 #include "refinement/downsampled_surface.h"
 #include "refinement/local_refinement_settings.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
@@ -22,28 +23,30 @@ double points_per_cube(const Cloud& cloud, const Surface& surface) {
 }  // namespace
 
 FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, double coarsest,
-                           const Kernels& kernels) {
-  Surface source, target;
+                           const Kernels& kernels, int threads) {
+  const Cloud* const clouds[2] = {&pair.source, &pair.target};
+  const PreprocessedCloud* const from[2] = {pair.preprocessed_source.get(),
+                                            pair.preprocessed_target.get()};
+  const auto for_both = [&](const auto& job) { parallel_for(2, threads, job); };
+  Surface surfaces[2];
   for (int attempt = 0;; ++attempt) {
-    const auto downsample = [&](const Cloud& cloud, const PreprocessedCloudPtr& from) {
-      const bool has_normals = from && from->normals.size();  // a pair may be made of bare points
-      return has_normals ? downsample_surface(cloud, from->normals, leaf)
-                         : downsample_surface(cloud, leaf);
-    };
-    source = downsample(pair.source, pair.preprocessed_source);
-    target = downsample(pair.target, pair.preprocessed_target);
-    const double filling =
-        std::min(points_per_cube(pair.source, source), points_per_cube(pair.target, target));
+    for_both([&](std::size_t i) {
+      const bool has_normals = from[i] && from[i]->normals.size();  // a pair may be bare points
+      surfaces[i] = has_normals ? downsample_surface(*clouds[i], from[i]->normals, leaf)
+                                : downsample_surface(*clouds[i], leaf);
+    });
+    const double filling = std::min(points_per_cube(pair.source, surfaces[0]),
+                                    points_per_cube(pair.target, surfaces[1]));
     if (filling >= kMinimumPoints || attempt == kMaximumAttempts || leaf == coarsest) break;
     leaf = std::min(leaf * std::sqrt(1.1 * kMinimumPoints / filling), coarsest);
   }
   const LocalRefinementSettings settings;
   const auto reach = static_cast<float>(std::max(settings.first_scale, settings.reach) * leaf);
-  const auto near = [&](const Surface& surface) {
-    return make_neighbors(surface.points, reach, static_cast<float>(1.5 * leaf), kQueries, kernels);
-  };
-  auto near_source = near(source), near_target = near(target);
-  return {std::move(source), std::move(target), std::move(near_source), std::move(near_target)};
+  std::unique_ptr<Neighbors> near[2];
+  for_both([&](std::size_t i) {
+    near[i] = make_neighbors(surfaces[i].points, reach, kQueries, kernels);
+  });
+  return {std::move(surfaces[0]), std::move(surfaces[1]), std::move(near[0]), std::move(near[1])};
 }
 
 }  // namespace emtr

@@ -22,6 +22,6 @@ struct FineSurfaces {
 /// allows; but at `coarsest` where even that is finer: the leaf of the surfaces on which the pose
 /// was found, since coarser ones would lose it again.
 FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, double coarsest,
-                           const Kernels& kernels);
+                           const Kernels& kernels, int threads = 1);
 
 }  // namespace emtr

@@ -20,17 +20,14 @@ TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const DenseReferences
       scale_sparse_(settings.scale_sparse * downsampled.leaf_sparse),
       scale_dense_(
           std::max(settings.scale_dense * downsampled.leaf_dense, references.least_scale)) {
-  const auto neighbors_of = [&](const Cloud& cloud, double scale, double leaf,
-                                const Cloud& queries) {
-    return make_neighbors(cloud, static_cast<float>(scale), static_cast<float>(leaf),
-                          queries.size());
-  };
-  target_sparse_ = neighbors_of(downsampled.target_sparse, scale_sparse_, downsampled.leaf_sparse,
-                                downsampled.source_sparse);
-  target_dense_ = neighbors_of(references.target, scale_dense_, downsampled.leaf_dense,
-                               downsampled.source_dense);
-  source_dense_ = neighbors_of(references.source, scale_dense_, downsampled.leaf_dense,
-                               downsampled.target_dense);
+  const auto scale_sparse = static_cast<float>(scale_sparse_),
+             scale_dense = static_cast<float>(scale_dense_);
+  target_sparse_ = make_neighbors(downsampled.target_sparse, scale_sparse,
+                                  downsampled.source_sparse.size(), EMTR_RESOLUTION_SPARSE);
+  target_dense_ = make_neighbors(references.target, scale_dense, downsampled.source_dense.size(),
+                                 EMTR_RESOLUTION_DENSE);
+  source_dense_ = make_neighbors(references.source, scale_dense, downsampled.target_dense.size(),
+                                 EMTR_RESOLUTION_DENSE);
 }
 
 void TaskAlpha::residuals(const Cloud& points, const Rigid& pose, const Neighbors& neighbors,

@@ -20,10 +20,10 @@ namespace emtr {
 /// of clouds with more points: a finer fitness function by as many queries.
 class TaskAlpha {
  public:
-  /// Makes the neighbor structure of a cloud, with a radius and a leaf, for so many queries by each
-  /// evaluation.
-  using MakeNeighbors = std::function<std::unique_ptr<Neighbors>(const Cloud&, float radius,
-                                                                 float leaf, std::size_t queries)>;
+  /// Makes the neighbor structure of a cloud, with a radius, for so many queries by each evaluation
+  /// of a pose at that resolution.
+  using MakeNeighbors = std::function<std::unique_ptr<Neighbors>(
+      const Cloud&, float radius, std::size_t queries, emtr_resolution)>;
 
   /// The clouds whose points are the neighbors of the D stage, and the least c that they allow:
   /// below about two spacings of their points, points on one surface are outliers.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/transform.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
@@ -65,20 +66,29 @@ OneWay evaluate_one_way(const Cloud& cloud, const Rigid& pose, const SharedSurfa
 }  // namespace
 
 Overlap evaluate_overlap(const NormalizedPair& pair, const FineSurfaces& fine, const Rigid& pose,
-                         const Kernels& kernels) {
-  const OneWay source =
-      evaluate_one_way(pair.source, pose, fine.target, *fine.near_target, kernels);
-  const OneWay target =
-      evaluate_one_way(pair.target, pose.inverse(), fine.source, *fine.near_source, kernels);
+                         const Kernels& kernels, int threads) {
+  OneWay source, target;
+  parallel_for(2, threads, [&](std::size_t i) {
+    if (i == 0)
+      source = evaluate_one_way(pair.source, pose, fine.target, *fine.near_target, kernels);
+    else
+      target =
+          evaluate_one_way(pair.target, pose.inverse(), fine.source, *fine.near_source, kernels);
+  });
   const double flatness = (source.flatness() + target.flatness()) / 2;
   return {source.overlap, target.overlap, source.rmse, source.plane_rmse, flatness};
 }
 
 double surface_mismatch(const Overlap& overlap, const NormalizedPair& pair,
-                        const FineSurfaces& fine, const Kernels& kernels) {
-  const double own = std::max(
-      evaluate_one_way(pair.source, {}, fine.source, *fine.near_source, kernels).flatness(),
-      evaluate_one_way(pair.target, {}, fine.target, *fine.near_target, kernels).flatness());
+                        const FineSurfaces& fine, const Kernels& kernels, int threads) {
+  OneWay source, target;
+  parallel_for(2, threads, [&](std::size_t i) {
+    if (i == 0)
+      source = evaluate_one_way(pair.source, {}, fine.source, *fine.near_source, kernels);
+    else
+      target = evaluate_one_way(pair.target, {}, fine.target, *fine.near_target, kernels);
+  });
+  const double own = std::max(source.flatness(), target.flatness());
   return (overlap.flatness - own) / std::max(kRandomFlatness - own, kMinimumScale);
 }
 

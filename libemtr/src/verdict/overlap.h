@@ -17,11 +17,11 @@ struct Overlap {
 };
 
 Overlap evaluate_overlap(const NormalizedPair& pair, const FineSurfaces& fine, const Rigid& pose,
-                         const Kernels& kernels);
+                         const Kernels& kernels, int threads = 1);
 
 /// Measures how the surfaces lie to each other: 0, as flush as each cloud lies on its own surface;
 /// 1, as if they crossed at random within the leaf. NaN when the overlap has no flatness.
 double surface_mismatch(const Overlap& overlap, const NormalizedPair& pair,
-                        const FineSurfaces& fine, const Kernels& kernels);
+                        const FineSurfaces& fine, const Kernels& kernels, int threads = 1);
 
 }  // namespace emtr

@@ -149,23 +149,25 @@ TEST(Structures, ManyCandidatesMakeTheCellsGrow) {
 }
 
 TEST(MakeNeighbors, BuildsWhatTheQueriesPayFor) {
-  const auto grid_is_cheaper = [](const Cloud& cloud, float radius, float leaf, double queries) {
-    const emtr::NeighborCosts costs = emtr::estimate_costs(cloud, radius, leaf, queries);
-    return costs.candidate_grid < costs.voxel_cells;
+  const auto cell = [](const Cloud& cloud, float radius, double queries) {
+    return emtr::plan_neighbors(cloud, radius, queries).cell;
   };
   const Cloud small = uniform_cloud(2000, 1, 1, 0), large = uniform_cloud(100000, 1, 1, 0);
-  EXPECT_TRUE(grid_is_cheaper(small, 0.05f, 0.04f, 4e6));
-  EXPECT_FALSE(grid_is_cheaper(small, 0.05f, 0.04f, 2e3));
-  EXPECT_FALSE(grid_is_cheaper(large, 0.01f, 0.008f, 1e6));
-  EXPECT_TRUE(grid_is_cheaper(small, 0.5f, 0.1f, 4e6));  // a voxel would have half of the points
+  EXPECT_EQ(cell(small, 0.15f, 2e3), 0);
+  EXPECT_EQ(cell(large, 0.03f, 1e5), 0);
+  EXPECT_GT(cell(small, 0.15f, 4e6), 0);
+  EXPECT_GT(cell(small, 0.5f, 4e6), 0);  // a voxel would have half of the points
+  // More queries pay for finer cells, down to the spacing of the points.
+  EXPECT_GT(cell(small, 0.15f, 1e5), cell(small, 0.15f, 4e6));
+  EXPECT_EQ(cell(small, 0.15f, 1e9), cell(small, 0.15f, 1e12));
 }
 
-TEST(MakeNeighbors, GivesTheBitsOfBruteForceEitherWay) {
+TEST(MakeNeighbors, GivesTheBitsOfBruteForceWhateverItsPlan) {
   const Cloud cloud = uniform_cloud(800, 5), q = uniform_cloud(900, 6, 1.2f);
   std::vector<float> found(q.size()), brute(q.size());
   emtr::make_brute_force(cloud, 0.2f)->squared_distances(q.view(), brute.data());
-  for (const double queries : {1e2, 1e9}) {
-    emtr::make_neighbors(cloud, 0.2f, 0.15f, queries, emtr::select_kernels())
+  for (const double queries : {1e2, 1e5, 1e9}) {
+    emtr::make_neighbors(cloud, 0.2f, queries, emtr::select_kernels())
         ->squared_distances(q.view(), found.data());
     EXPECT_EQ(found, brute);
   }

@@ -26,8 +26,9 @@ emtr::TaskAlpha::DenseReferences dense(const emtr::DownsampledClouds& d) {
   return {d.source_dense, d.target_dense, 0};
 }
 
-std::unique_ptr<emtr::Neighbors> grid(const Cloud& cloud, float radius, float leaf, std::size_t) {
-  return emtr::make_candidate_grid(cloud, radius, leaf, emtr::select_kernels());
+std::unique_ptr<emtr::Neighbors> grid(const Cloud& cloud, float radius, std::size_t,
+                                      emtr_resolution) {
+  return emtr::make_candidate_grid(cloud, radius, radius, emtr::select_kernels());
 }
 
 Rigid pose() {
