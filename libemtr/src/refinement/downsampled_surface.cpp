@@ -1,34 +1,51 @@
 #include "refinement/downsampled_surface.h"
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "refinement/voxel_moments.h"
 #include "util/cancellation.h"
-#include "util/constants.h"
 #include "voxels/voxel_order.h"
 
 namespace emtr {
 namespace {
 
-Eigen::Vector3f normal_of(const Moments& m) {
-  Eigen::Vector3f none = Eigen::Vector3f::Constant(kNone);
-  if (m[0] < kMinimumForNormal) return none;
-  const Eigen::Vector3d mean = Eigen::Vector3d(m[1], m[2], m[3]) / m[0];
-  Eigen::Matrix3d scatter;
-  scatter << m[4], m[5], m[6], m[5], m[7], m[8], m[6], m[8], m[9];
-  scatter = scatter / m[0] - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(scatter);
-  const Eigen::Vector3d spread = solver.eigenvalues();
-  if (!(spread[1] > 1e-6 * spread[2])) return none;  // one point or one line: no surface
-  return solver.eigenvectors().col(0).cast<float>();
-}
+constexpr std::size_t kBlock = 256;  // voxels whose normals are computed side by side
+
+/// Moments of some neighborhoods as Kernels::plane_normals() reads them, about their centroids:
+/// those of raw coordinates need double precision.
+class CenteredMoments {
+ public:
+  void set(std::size_t i, const Moments& m) {
+    const bool enough = m[0] >= kMinimumForNormal;
+    const auto put = [&](std::size_t k, double value) {
+      values_[k * kBlock + i] = enough ? static_cast<float>(value) : 0.0f;
+    };
+    put(0, m[0]);
+    for (std::size_t k = 1; k < 4; ++k) put(k, 0);
+    std::size_t k = 4;
+    for (std::size_t a = 1; a < 4; ++a)
+      for (std::size_t b = a; b < 4; ++b, ++k) put(k, m[k] - m[a] * m[b] / m[0]);
+  }
+
+  /// Writes the normals of the neighborhoods of the points first to first + count.
+  void write_normals(const Cloud& points, std::size_t first, std::size_t count,
+                     const Kernels& kernels, Cloud& normals) const {
+    constexpr float kAnySide[3] = {0, 0, 0};
+    PointsView block = points.view();
+    block.x += first, block.y += first, block.z += first, block.size = count;
+    kernels.plane_normals(values_.data(), kBlock, block, kAnySide, normals.x.data() + first,
+                          normals.y.data() + first, normals.z.data() + first);
+  }
+
+ private:
+  std::array<float, 10 * kBlock> values_{};
+};
 
 }  // namespace
 
-Surface downsample_surface(const Cloud& cloud, double leaf, double reach) {
+Surface downsample_surface(const Cloud& cloud, double leaf, double reach, const Kernels& kernels) {
   Surface out;
   out.leaf = leaf;
   if (cloud.size() == 0) return out;
@@ -38,17 +55,22 @@ Surface downsample_surface(const Cloud& cloud, double leaf, double reach) {
   const std::size_t n = voxels.keys.size();
   out.points.resize(n);
   out.normals.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    check_cancelled_each(i, 10);
-    out.points.set(i, voxels.centroid(i).data());
-    Moments around{};
-    for (VoxelRun& row : rows) {
-      row.follow(voxels.keys, voxels.keys[i]);
-      if (row.begin == row.end) continue;
-      add(around, voxels.before[row.end]);
-      subtract(around, voxels.before[row.begin]);
+  CenteredMoments block;
+  for (std::size_t first = 0; first < n; first += kBlock) {
+    check_cancelled();
+    const std::size_t count = std::min(kBlock, n - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      out.points.set(first + i, voxels.centroid(first + i).data());
+      Moments around{};
+      for (VoxelRun& row : rows) {
+        row.follow(voxels.keys, voxels.keys[first + i]);
+        if (row.begin == row.end) continue;
+        add(around, voxels.before[row.end]);
+        subtract(around, voxels.before[row.begin]);
+      }
+      block.set(i, around);
     }
-    out.normals.set(i, normal_of(around).data());
+    block.write_normals(out.points, first, count, kernels, out.normals);
   }
   return out;
 }

@@ -33,7 +33,7 @@ FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, double coars
     for_both([&](std::size_t i) {
       const bool has_normals = from[i] && from[i]->normals.size();  // a pair may be bare points
       surfaces[i] = has_normals ? downsample_surface(*clouds[i], from[i]->normals, leaf)
-                                : downsample_surface(*clouds[i], leaf);
+                                : downsample_surface(*clouds[i], leaf, kNormalReach, kernels);
     });
     const double filling = std::min(points_per_cube(pair.source, surfaces[0]),
                                     points_per_cube(pair.target, surfaces[1]));
