@@ -1,8 +1,7 @@
 # Runs a port file without vcpkg: its functions as they are documented, as far as ours uses them.
 # The file with the hash given is the archive; what the port depends on is this machine's.
-set(VCPKG_TARGET_TRIPLET stand-in)
+cmake_minimum_required(VERSION 3.21)
 set(FEATURES core tools)
-set(ENV{DESTDIR})
 
 function(vcpkg_download_distfile out)
   cmake_parse_arguments(arg "" "FILENAME;SHA512" "URLS" ${ARGN})
