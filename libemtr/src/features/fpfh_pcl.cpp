@@ -1,6 +1,9 @@
+#include <pcl/common/centroid.h>
+#include <pcl/features/feature.h>
 #include <pcl/features/fpfh.h>
 #include <pcl/features/normal_3d.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,6 +17,15 @@
 
 namespace emtr {
 namespace {
+
+/// Tells whether the covariance is exactly that of points on one line, or on one point. There PCL
+/// finds no normal with Eigen 3, and any with Eigen 5.
+bool is_of_line(const Eigen::Matrix3f& covariance) {
+  const auto along = [&](Eigen::Index i, Eigen::Index k) {
+    return covariance.row(i).cross(covariance.row(k)).isZero(0);
+  };
+  return along(0, 1) && along(0, 2) && along(1, 2);
+}
 
 /// A type of our own, for which PCL's class can be told how to compare two points.
 struct Histograms : pcl::FPFHSignature33 {};
@@ -109,11 +121,15 @@ class Description {
 
   void estimate_normal(std::size_t at, const pcl::Indices& neighbors) {
     pcl::Normal& normal = normals_[at];
-    Eigen::Vector4f plane;
-    if (!pcl::computePointNormal(*points_, neighbors, plane, normal.curvature)) {
+    Eigen::Matrix3f covariance;
+    Eigen::Vector4f centroid, plane;
+    if (neighbors.size() < 3 ||
+        pcl::computeMeanAndCovarianceMatrix(*points_, neighbors, covariance, centroid) == 0 ||
+        is_of_line(covariance)) {
       normal.normal_x = normal.normal_y = normal.normal_z = kNone;
       return;
     }
+    pcl::solvePlaneParameters(covariance, centroid, plane, normal.curvature);
     normal.normal_x = plane[0];
     normal.normal_y = plane[1];
     normal.normal_z = plane[2];
