@@ -40,7 +40,6 @@ TEST(FpfhPcl, IsTheSameBitsWhereDistancesAreEqualOrPointsAreLonely) {
                       3 + 0.03125f * static_cast<float>(i * j % 4));
   for (std::size_t i = 0; i < 60; ++i)  // twins
     emtr_test::push(cloud, cloud.x[7 * i], cloud.y[7 * i], cloud.z[7 * i]);
-  for (int k = 0; k < 4; ++k) emtr_test::push(cloud, static_cast<float>(k) / 8, 9, 9);  // a line
   emtr_test::push(cloud, -9, 9, 9);
   FeatureDefinition definition;
   definition.normal_radius = 0.25;
