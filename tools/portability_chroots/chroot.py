@@ -13,8 +13,8 @@ from .arguments import REPOSITORY
 # What README.md and docs/INSTALL.md name, and what the tests need beyond.
 PACKAGES = [
     *("g++", "clang", "libomp-dev", "cmake", "ninja-build", "pkg-config", "libpcl-dev"),
-    *("libcli11-dev", "nlohmann-json3-dev", "libgtest-dev", "python3-numpy", "python3-pytest"),
-    *("ccache", "file", "dpkg-dev"),
+    *("libcli11-dev", "nlohmann-json3-dev", "libgtest-dev", "python3-numpy", "python3-scipy"),
+    *("python3-pytest", "ccache", "file", "dpkg-dev"),
 ]
 # For another processor, what builds is of this machine's own: it need not be emulated.
 NATIVE = ("cmake", "ninja-build", "ccache")
