@@ -97,7 +97,8 @@ def test_c_by_pkg_config(libdir, tmp_path):
 def test_class_by_cmake_in_cpp14(prefix, tmp_path):
     needs_class(prefix)
     found = check(by_cmake("class", prefix, tmp_path, "-DCMAKE_CXX_STANDARD=14"))
-    assert found["compiled"] == 0  # the library is C++17, which allocates the class in another way
+    # The library is C++17, which allocates the class in another way; newer PCL asks for it itself.
+    assert found["compiled"] == (found["standard"] >= 201703)
 
 
 def test_class_by_cmake_and_optimized(prefix, tmp_path):
@@ -128,7 +129,7 @@ def test_class_under_avx2(prefix, tmp_path):
     if not re.search(r"\bavx2\b", Path("/proc/cpuinfo").read_text()):
         pytest.skip("built, but this processor has no AVX2 to run it")
     found = check(program)
-    assert found == {"compiled": 0, "align": 32}
+    assert (found["compiled"], found["align"]) == (0, 32)
 
 
 def configure(prefix: Path, folder: Path, languages: str, *lines: str, options: tuple = ()):

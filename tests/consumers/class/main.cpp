@@ -53,7 +53,8 @@ int main() {
 #else
   const bool compiled = EMTR_SSC_IS_COMPILED;
 #endif
-  std::printf("\ncompiled %d align %d\n", compiled, EIGEN_MAX_ALIGN_BYTES);
+  std::printf("\ncompiled %d align %d standard %ld\n", compiled, EIGEN_MAX_ALIGN_BYTES,
+              __cplusplus);
   bumpy_pair_free(&pair);
   return 0;
 }
