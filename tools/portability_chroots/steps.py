@@ -16,7 +16,7 @@ CCACHE = (
 )
 # Away with what was installed; then the packages are installed, used, examined and removed.
 PACKAGES = """\
-xargs rm < {build}/install_manifest.txt; ldconfig
+xargs rm < {build}/installed.txt; ldconfig
 cmake -S /source -B {build} -DCMAKE_INSTALL_PREFIX=/usr
 cmake --build {build} --parallel {jobs} --target emtr emtr_pcl emtr_command
 cd {build}; rm -rf debs; cpack -B debs
@@ -70,7 +70,8 @@ def steps(compiler: str, arguments: argparse.Namespace) -> list[tuple[str, str]]
         ("tests built", compile_),
         ("ctest", f"ctest --test-dir {build} -j {arguments.jobs} {tests} --output-on-failure "
          "--no-tests=error"),
-        ("install", f"cmake --install {build}; ldconfig; cd /; pcl_emtr --version"),
+        ("install", f"cmake --install {build}; ldconfig; cd /; pcl_emtr --version; "
+         f"cp {build}/install_manifest.txt {build}/installed.txt"),  # others install too
         ("programs of the pages", f"{start}{ours}EMTR_PREFIX=/usr/local {PYTEST} "
          "/source/tests/consumers/test_snippets.py"),
         ("consumers", f"{start}{ours}EMTR_BUILD_DIR={build} {PYTEST} /source/tests/consumers "
