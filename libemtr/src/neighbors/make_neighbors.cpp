@@ -38,22 +38,23 @@ double estimate_voxels(double n, double radius, double queries) {
 
 }  // namespace
 
-NeighborPlan plan_neighbors(const Cloud& cloud, float radius, double queries) {
+float plan_cell(const Cloud& cloud, float radius, double queries) {
   const double n = static_cast<double>(cloud.size()), r = static_cast<double>(radius),
                spacing = estimate_spacing(cloud, r);
-  NeighborPlan best{0, estimate_voxels(n, r / spacing, queries)};
+  float best = 0;
+  double least = estimate_voxels(n, r / spacing, queries);
   for (const float cell : kCells) {
     const double cost = estimate_grid(n, r / spacing, static_cast<double>(cell), queries);
-    if (cost < best.nanoseconds) best = {cell * static_cast<float>(spacing), cost};
+    if (cost < least) best = cell * static_cast<float>(spacing), least = cost;
   }
   return best;
 }
 
 std::unique_ptr<Neighbors> make_neighbors(const Cloud& cloud, float radius, double queries,
                                           const Kernels& kernels) {
-  const NeighborPlan plan = plan_neighbors(cloud, radius, queries);
-  return plan.cell > 0 ? make_candidate_grid(cloud, radius, plan.cell, kernels)
-                       : make_voxel_cells(cloud, radius, kernels);
+  const float cell = plan_cell(cloud, radius, queries);
+  return cell > 0 ? make_candidate_grid(cloud, radius, cell, kernels)
+                  : make_voxel_cells(cloud, radius, kernels);
 }
 
 }  // namespace emtr

@@ -41,12 +41,9 @@ std::unique_ptr<Neighbors> make_candidate_grid(const Cloud& cloud, float radius,
 std::unique_ptr<Neighbors> make_voxel_cells(const Cloud& cloud, float radius,
                                             const Kernels& kernels);
 
-/// The structure that answers so many queries soonest, its making included.
-struct NeighborPlan {
-  float cell = 0;          ///< side of a candidate grid's cells; 0 for voxel cells
-  double nanoseconds = 0;  ///< estimated
-};
-NeighborPlan plan_neighbors(const Cloud& cloud, float radius, double queries);
+/// Returns the side of the cells with which a candidate grid would answer so many queries soonest,
+/// its making included; 0 where voxel cells are sooner still.
+float plan_cell(const Cloud& cloud, float radius, double queries);
 
 /// Makes the structure planned for `queries` queries; all give the same bits.
 std::unique_ptr<Neighbors> make_neighbors(const Cloud& cloud, float radius, double queries,

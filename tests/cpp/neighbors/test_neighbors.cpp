@@ -149,17 +149,14 @@ TEST(Structures, ManyCandidatesMakeTheCellsGrow) {
 }
 
 TEST(MakeNeighbors, BuildsWhatTheQueriesPayFor) {
-  const auto cell = [](const Cloud& cloud, float radius, double queries) {
-    return emtr::plan_neighbors(cloud, radius, queries).cell;
-  };
   const Cloud small = uniform_cloud(2000, 1, 1, 0), large = uniform_cloud(100000, 1, 1, 0);
-  EXPECT_EQ(cell(small, 0.15f, 2e3), 0);
-  EXPECT_EQ(cell(large, 0.03f, 1e5), 0);
-  EXPECT_GT(cell(small, 0.15f, 4e6), 0);
-  EXPECT_GT(cell(small, 0.5f, 4e6), 0);  // a voxel would have half of the points
+  EXPECT_EQ(emtr::plan_cell(small, 0.15f, 2e3), 0);
+  EXPECT_EQ(emtr::plan_cell(large, 0.03f, 1e5), 0);
+  EXPECT_GT(emtr::plan_cell(small, 0.15f, 4e6), 0);
+  EXPECT_GT(emtr::plan_cell(small, 0.5f, 4e6), 0);  // a voxel would have half of the points
   // More queries pay for finer cells, down to the spacing of the points.
-  EXPECT_GT(cell(small, 0.15f, 1e5), cell(small, 0.15f, 4e6));
-  EXPECT_EQ(cell(small, 0.15f, 1e9), cell(small, 0.15f, 1e12));
+  EXPECT_GT(emtr::plan_cell(small, 0.15f, 1e5), emtr::plan_cell(small, 0.15f, 4e6));
+  EXPECT_EQ(emtr::plan_cell(small, 0.15f, 1e9), emtr::plan_cell(small, 0.15f, 1e12));
 }
 
 TEST(MakeNeighbors, GivesTheBitsOfBruteForceWhateverItsPlan) {
