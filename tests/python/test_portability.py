@@ -14,7 +14,7 @@ import pytest
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
 sys.path.append(str(TOOLS))
 
-from portability_chroots import chroot, pair, program, syntax  # noqa: E402
+from portability_chroots import chroot, foreign, pair, program, syntax  # noqa: E402
 from portability_chroots.arguments import parse  # noqa: E402
 from portability_chroots.chroot import Chroot, ChrootFailure  # noqa: E402
 from portability_chroots.steps import PAIR_FOLDER, bits_path, steps  # noqa: E402
@@ -51,8 +51,8 @@ def test_all_steps_run_with_each_compiler(fake, capsys) -> None:
     assert sum("ctest" in script and "-R '^c_api'" in script for script in scripts) == 2
     said = capsys.readouterr().out.splitlines()[-3:]
     assert said == [
-        f"trixie     gcc    passed, {count} warnings of the compiler",
-        f"trixie     clang  passed, {count} warnings of the compiler",
+        f"trixie          gcc    passed, {count} warnings of the compiler",
+        f"trixie          clang  passed, {count} warnings of the compiler",
         "generated pair: registered nowhere",  # no chroot was there to do it
     ]
 
@@ -63,8 +63,8 @@ def test_a_step_that_fails_is_named_and_the_others_go_on(fake, capsys, tmp_path)
     assert not any("cmake --install /build/gcc" in script for script in scripts)
     assert sum("cmake --install /build/clang" in script for script in scripts) == 2
     said = capsys.readouterr().out
-    assert f"trixie     gcc    FAILED: ctest, see {tmp_path}/trixie-gcc.log" in said
-    assert "testing    clang  passed" in said
+    assert f"trixie          gcc    FAILED: ctest, see {tmp_path}/trixie-gcc.log" in said
+    assert "testing         clang  passed" in said
 
 
 def test_poses_of_other_bits_are_a_failure(monkeypatch, tmp_path, capsys) -> None:
@@ -100,23 +100,74 @@ def test_another_processor_is_built_for_by_this_ones_compiler(fake, capsys) -> N
     assert any("CXX=aarch64-linux-gnu-g++" in script for script in scripts)
     assert not any("cpack" in script for script in scripts)
     assert any("registered_pair.py" in script for script in scripts)
-    assert "trixie-arm64 gcc    passed" in capsys.readouterr().out
+    assert "trixie-arm64    gcc    passed" in capsys.readouterr().out
 
 
 def test_the_tools_of_a_foreign_chroot_are_not_emulated(monkeypatch, tmp_path) -> None:
-    monkeypatch.setattr(chroot.subprocess, "check_output", lambda words, text: "amd64\n")
+    monkeypatch.setattr(foreign.subprocess, "check_output", lambda words, text: "amd64\n")
     packages = Chroot(tmp_path, "trixie", "arm64").packages()
     assert {"g++-aarch64-linux-gnu:amd64", "cmake:amd64", "libpcl-dev"} <= set(packages)
     assert not {"g++", "cmake", "clang"} & set(packages)
 
 
-def test_what_runs_another_processors_programs_is_named(monkeypatch, tmp_path) -> None:
+@pytest.mark.parametrize(
+    ("absent", "named"), [("mmdebstrap", "mmdebstrap"), ("nothing", "qemu-user-static")]
+)
+def test_what_another_processors_chroot_needs_is_named(
+    monkeypatch, tmp_path, absent, named
+) -> None:
     monkeypatch.setattr(chroot.os, "geteuid", lambda: 0)
-    monkeypatch.setattr(chroot.shutil, "which", lambda name: name)
-    monkeypatch.setattr(chroot.subprocess, "check_output", lambda words, text: "amd64\n")
-    monkeypatch.setattr(chroot, "BINFMT", tmp_path)
-    with pytest.raises(ChrootFailure, match="qemu-user-static"):
+    monkeypatch.setattr(foreign.shutil, "which", lambda name: None if name == absent else name)
+    monkeypatch.setattr(foreign.subprocess, "check_output", lambda words, text: "amd64\n")
+    monkeypatch.setattr(foreign, "BINFMT", tmp_path)
+    with pytest.raises(ChrootFailure, match=f"apt-get install {named}"):
         Chroot(tmp_path, "trixie", "arm64").make("http://localhost", reuse=False)
+
+
+@pytest.mark.skipif(shutil.which("dpkg") is None, reason="no Debian")
+def test_an_extracted_root_is_finished_without_the_packages_scripts(monkeypatch, tmp_path) -> None:
+    """mmdebstrap and chroot are stand-ins; the script runs as it is."""
+    programs, root = tmp_path / "bin", tmp_path / "root"
+    programs.mkdir()
+    for name, does in {"mmdebstrap": 'echo "$@" >> made', "chroot": 'echo "$@" >> made'}.items():
+        (programs / name).write_text(f"#!/bin/sh\ncd {tmp_path}; {does}\n")
+        (programs / name).chmod(0o755)
+    for folder in (
+        "usr/lib64",
+        "usr/share/base-passwd",
+        "usr/bin",
+        "usr/lib/x/blas",
+        "etc/ld.so.conf.d",
+    ):
+        (root / folder).mkdir(parents=True)
+    for name in ("passwd", "group"):
+        (root / f"usr/share/base-passwd/{name}.master").write_text("root:x:0:0\n")
+    monkeypatch.setenv("PATH", f"{programs}:{os.environ['PATH']}")
+    with (tmp_path / "log").open("w") as log:
+        done = foreign.extract(root, "trixie", "arm64", ["cmake:amd64"], "http://localhost", log)
+    assert done
+    made = (tmp_path / "made").read_text()
+    assert "--variant=extract" in made and "--include=cmake:amd64 trixie" in made
+    assert f"{root} /sbin/ldconfig" in made
+    assert (root / "etc/ld.so.conf.d/extracted.conf").read_text() == "/usr/lib/x/blas\n"
+    assert (root / "lib64").is_symlink() and (root / "etc/passwd").is_file()
+
+
+def test_the_readmes_commands_run_in_a_clone(fake, capsys) -> None:
+    status, scripts = fake("no such word", "--suites", "trixie", "--readme")
+    assert status == 0
+    assert "clone -q /source" in scripts[0]
+    assert [script.split()[-1] for script in scripts[1:]] == ["tools/quickstart", "tools/check"]
+    assert "trixie-readme   cc     passed" in capsys.readouterr().out
+    assert fake("tools/check", "--suites", "trixie", "--readme")[0] == 1
+    with pytest.raises(SystemExit):
+        parse(["--readme", "--architecture", "arm64"])
+
+
+def test_a_chroot_for_the_readme_is_one_of_its_own(tmp_path) -> None:
+    bare = Chroot(tmp_path, "trixie", bare=True)
+    assert bare.root == tmp_path / "trixie-readme"
+    assert bare.packages() == ["git", "ca-certificates"]
 
 
 def test_what_is_no_chroot_of_ours_is_not_removed(monkeypatch, tmp_path, capsys) -> None:

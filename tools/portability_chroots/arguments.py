@@ -23,9 +23,13 @@ EPILOG = """\
 With --smoke there is no chroot: each header alone and each source of the libraries and the command
 goes through the compilers of this machine, which check it and write nothing.
 
-With --architecture arm64 the chroot is of another processor. This machine's compiler makes its
-programs, the Python extension too, and qemu-user runs them; Debian's qemu-user-static and
-binfmt-support let it. Debian packages are not made there. It takes an hour or more.
+With --architecture arm64 the chroot is of another processor. mmdebstrap extracts its packages. This
+machine's compiler makes its programs, the Python extension too, and qemu-user runs them; Debian's
+qemu-user-static and binfmt-support let it. Debian packages are not made there.
+
+With --readme the chroot has git and no more, and the README's two commands, tools/quickstart and
+tools/check, run in a clone of what is committed; their compiler is the system's. pip there takes
+the certificates that the variable PIP_CERT names.
 
 The variable EMTR_PORTABILITY_CCACHE names a folder for ccache that is mounted into the chroots;
 without it nothing is cached. The log of a build is beside its chroot, in SUITE-COMPILER.log, or in
@@ -36,6 +40,7 @@ examples:
   tools/portability --suites trixie --compilers gcc  one of them
   tools/portability --reuse --tests '^c_api'         the chroots as they are, some of the tests
   tools/portability --suites trixie --architecture arm64
+  tools/portability --suites bookworm trixie --readme
 
 exit code: 0; 1 when something fails to build or to pass; 2 when there could be no chroot."""
 
@@ -60,10 +65,15 @@ def parse(words: Sequence[str] | None = None) -> argparse.Namespace:
     add("--jobs", type=_jobs, default=2, metavar="N", help="[%(default)s]")
     add("--reuse", action="store_true",
         help="keep chroots and builds that are there, instead of making them anew")  # fmt: skip
+    add("--readme", action="store_true", help="the README's two commands in fresh chroots")
     add("--smoke", action="store_true", help="a check of the syntax that needs no chroot")
     arguments = parser.parse_args(words)
     if arguments.architecture:
         arguments.compilers = ["gcc"]
+    if arguments.readme:
+        if arguments.architecture:
+            parser.error("--readme: expected no --architecture")
+        arguments.compilers = ["cc"]  # the system's
     return arguments
 
 

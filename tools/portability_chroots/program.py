@@ -50,7 +50,7 @@ def compare_bits(found: dict[str, str]) -> str:
 def in_chroots(arguments: argparse.Namespace) -> int:
     verdicts, bits = {}, {}
     for suite in arguments.suites:
-        chroot = Chroot(arguments.folder, suite, arguments.architecture)
+        chroot = Chroot(arguments.folder, suite, arguments.architecture, arguments.readme)
         print(f"{chroot.name}: the chroot in {chroot.root} ... ", end="", flush=True)
         chroot.make(arguments.mirror, arguments.reuse)
         print("done")
@@ -61,13 +61,11 @@ def in_chroots(arguments: argparse.Namespace) -> int:
             verdicts[chroot.name, compiler] = try_compiler(chroot, compiler, arguments)
             if poses.is_file():
                 bits[f"{chroot.name} {compiler}"] = poses.read_text()
-    compared = compare_bits(bits)
-    print()
-    for (name, compiler), verdict in verdicts.items():
-        print(f"{name:10} {compiler:6} {verdict}")
-    print(compared)
-    said = [*verdicts.values(), compared]
-    return int(any(verdict.startswith("FAILED") for verdict in said))
+    said = [f"{name:15} {compiler:6} {text}" for (name, compiler), text in verdicts.items()]
+    if not arguments.readme:
+        said.append(compare_bits(bits))
+    print("\n" + "\n".join(said))
+    return int(any("FAILED: " in line for line in said))
 
 
 def by_syntax(arguments: argparse.Namespace) -> int:

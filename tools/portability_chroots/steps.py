@@ -36,6 +36,14 @@ for preset in default fast thorough paper; do
   cat T.txt >> {bits}
 done
 """
+# The clone's own cache of the compiler would be as new as the clone.
+CLONE = """\
+cd /root; rm -rf emtr
+git -c safe.directory='*' clone -q /source emtr; cd emtr; git log -1 --format=%h
+"""
+IN_CLONE = """\
+test ! -d /ccache || export CCACHE_DIR=/ccache CCACHE_BASEDIR=/root/emtr CCACHE_NOHASHDIR=1
+cd /root/emtr; """
 PAIR_FOLDER = "/build/pair"
 
 
@@ -46,6 +54,9 @@ def bits_path(compiler: str) -> str:
 
 def steps(compiler: str, arguments: argparse.Namespace) -> list[tuple[str, str]]:
     """The name and the shell script of each step; each needs those before it."""
+    if arguments.readme:
+        commands = ("tools/quickstart", "tools/check")
+        return [("clone", CLONE), *((command, IN_CLONE + command) for command in commands)]
     build = f"/build/{compiler}"
     foreign = arguments.architecture
     c, cxx = CROSS_COMPILERS[foreign] if foreign else COMPILERS[compiler]
