@@ -8,10 +8,8 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import foreign
+from . import foreign, packages
 from .arguments import REPOSITORY
-from .packages import OF_CLONE, OF_EMTR
-from .packages import foreign as foreign_packages
 
 MARK = "made-by-tools-portability"
 
@@ -55,14 +53,16 @@ class Chroot:
 
     def packages(self) -> list[str]:
         if self.bare:
-            return OF_CLONE
-        return foreign_packages(self.architecture) if self.architecture else OF_EMTR
+            return packages.OF_CLONE
+        if self.architecture:
+            return [*packages.foreign(), *packages.native(self.architecture)]
+        return packages.OF_EMTR
 
     def make(self, mirror: str, reuse: bool) -> None:
         """Makes the chroot with its packages. Raises ChrootFailure."""
         mark = self.root / MARK
-        packages = self.packages()
-        if reuse and mark.is_file() and mark.read_text().split() == packages:
+        wanted = self.packages()
+        if reuse and mark.is_file() and mark.read_text().split() == wanted:
             return
         self._require_means()
         if self.root.exists():
@@ -75,14 +75,13 @@ class Chroot:
         log = self.folder / f"{self.name}.log"
         with log.open("w") as out:
             if self.architecture:
-                made = (self.root, self.suite, self.architecture, packages, mirror, out)
-                if not foreign.extract(*made):
+                if not foreign.extract(self.root, self.suite, self.architecture, mirror, out):
                     raise ChrootFailure(f"{self.name}: could not be made, see {log}")
             else:
-                self._install(packages, mirror, out)
-        mark.write_text("\n".join(packages))
+                self._install(wanted, mirror, out)
+        mark.write_text("\n".join(wanted))
 
-    def _install(self, packages: list[str], mirror: str, out) -> None:
+    def _install(self, wanted: list[str], mirror: str, out) -> None:
         if not (self.root / "etc/debian_version").is_file():
             made = ["debootstrap", "--variant=minbase", self.suite, str(self.root), mirror]
             if subprocess.run(made, stdout=out, stderr=out, check=False).returncode:
@@ -93,7 +92,7 @@ class Chroot:
         install = (
             "export DEBIAN_FRONTEND=noninteractive\n"
             "apt-get -o Acquire::Check-Valid-Until=no update\n"  # a mirror may lag behind
-            f"apt-get install -y --no-install-recommends {' '.join(packages)}; apt-get clean"
+            f"apt-get install -y --no-install-recommends {' '.join(wanted)}; apt-get clean"
         )
         if self.run(install, out) != 0:
             raise ChrootFailure(f"{self.name}: packages could not be installed, see {out.name}")

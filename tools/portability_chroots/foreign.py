@@ -10,16 +10,27 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from .packages import native_architecture
+from . import packages
 
 EMULATED = {"arm64": "qemu-aarch64"}  # the names that binfmt_misc has for them
 BINFMT = Path("/proc/sys/fs/binfmt_misc")
 
+# mmdebstrap extracts into an empty folder alone; so the second part comes as an archive.
+EXTRACT = """\
+set -e
+root=$1 suite=$2 mirror=$3 there=$4 packages_there=$5 packages_here=$6
+extract() {
+  mmdebstrap --variant=extract --mode=root --architectures="$1" --include="$2" \
+    "$suite" "$3" "$mirror"
+}
+extract "$there" "$packages_there" "$root"
+extract "$(dpkg --print-architecture)" "$packages_here" "$root/native.tar"
+tar -C "$root" --keep-directory-symlink -xf "$root/native.tar"
+rm "$root/native.tar"
+"""
 # In place of the packages' scripts. BLAS and LAPACK are below folders of their own, where only the
 # scripts' links would lead to.
 FINISH = """\
-set -e
-test -e "$1/lib64" || test ! -d "$1/usr/lib64" || ln -s usr/lib64 "$1/lib64"
 cp "$1/usr/share/base-passwd/passwd.master" "$1/etc/passwd"
 cp "$1/usr/share/base-passwd/group.master" "$1/etc/group"
 ln -sf mawk "$1/usr/bin/awk"
@@ -42,14 +53,9 @@ def missing(architecture: str) -> str | None:
     return None
 
 
-def extract(
-    root: Path, suite: str, architecture: str, packages: list[str], mirror: str, out
-) -> bool:
+def extract(root: Path, suite: str, architecture: str, mirror: str, out) -> bool:
     """Makes the root, its log into an open file; returns whether it succeeded."""
-    both = f"--architectures={architecture},{native_architecture()}"
-    include = f"--include={','.join(packages)}"
-    made = ["mmdebstrap", "--variant=extract", "--mode=root", both, include, suite, str(root)]
-    return all(
-        subprocess.run(words, stdout=out, stderr=out, check=False).returncode == 0
-        for words in ([*made, mirror], ["sh", "-c", FINISH, "sh", str(root)])
-    )
+    lists = (",".join(packages.foreign()), ",".join(packages.native(architecture)))
+    words = [str(root), suite, mirror, architecture, *lists]
+    made = ["sh", "-c", EXTRACT + FINISH, "sh", *words]
+    return subprocess.run(made, stdout=out, stderr=out, check=False).returncode == 0

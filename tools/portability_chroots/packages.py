@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-
 # What README.md and docs/INSTALL.md name, and what the tests need beyond.
 OF_EMTR = [
     *("g++", "clang", "libomp-dev", "cmake", "ninja-build", "pkg-config", "libpcl-dev"),
@@ -13,25 +11,22 @@ OF_EMTR = [
 # The README's commands install all else by themselves.
 OF_CLONE = ["git", "ca-certificates"]
 
-# For another processor, what builds is of this machine's own: it need not be emulated.
-NATIVE = ("cmake", "ninja-build", "ccache")
+# For another processor there are its own packages, and over them those of this machine: the
+# compiler that makes its programs, and the shell, need not be emulated.
 CROSS = {"arm64": "g++-aarch64-linux-gnu"}
+TO_BUILD = ("cmake", "ninja-build", "ccache")
+OF_SHELL = ("bash", "coreutils", "dash", "diffutils", "findutils", "grep", "gzip", "sed", "tar")
 OF_PYTHON = ("cython3", "python3-dev", "python3-setuptools")
 # A Debian has these without being asked; an extracted one has only what is named.
-ESSENTIAL = (
-    *("base-files", "base-passwd", "bash", "coreutils", "dash", "diffutils", "findutils", "grep"),
-    *("gzip", "hostname", "libc-bin", "mawk", "sed", "tar", "util-linux"),
-)
+ESSENTIAL = ("base-files", "base-passwd", "hostname", "libc-bin", "mawk", "util-linux")
 
 
-def native_architecture() -> str:
-    return subprocess.check_output(["dpkg", "--print-architecture"], text=True).strip()
+def native(architecture: str) -> list[str]:
+    """This machine's own packages in a chroot of another processor."""
+    return [*OF_SHELL, *TO_BUILD, CROSS[architecture]]
 
 
-def foreign(architecture: str) -> list[str]:
-    """What a chroot of another processor has, with the cross compiler of this machine."""
-    away = {"g++", "clang", "libomp-dev", "file", "dpkg-dev", *NATIVE}
-    kept = [name for name in OF_EMTR if name not in away]
-    here = native_architecture()
-    native = [f"{name}:{here}" for name in (CROSS[architecture], *NATIVE)]
-    return [*ESSENTIAL, *kept, *OF_PYTHON, *native]
+def foreign() -> list[str]:
+    """The packages of the other processor in its chroot."""
+    away = {"g++", "clang", "libomp-dev", "file", "dpkg-dev", *TO_BUILD}
+    return [*ESSENTIAL, *(name for name in OF_EMTR if name not in away), *OF_PYTHON]
