@@ -6,7 +6,6 @@
 #include <pcl/registration/emtr_ssc.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <xmmintrin.h>
 
 #include <array>
 #include <cfenv>
@@ -16,6 +15,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "arithmetic_control.h"
 #include "support.h"
 #include "thread_sanitizer.h"
 
@@ -139,7 +139,7 @@ TEST(Coexistence, TheProcessIsAsItWas) {
   std::signal(SIGINT, SIG_IGN);
   omp_set_num_threads(3);
   const int levels = omp_get_max_active_levels(), dynamic = omp_get_dynamic();
-  const unsigned control = _mm_getcsr() & ~_MM_EXCEPT_MASK;
+  const std::uint64_t control = arithmetic_control();
   char before[4096], after[4096];
   ASSERT_NE(getcwd(before, sizeof before), nullptr);
   std::srand(5);
@@ -155,7 +155,7 @@ TEST(Coexistence, TheProcessIsAsItWas) {
   EXPECT_EQ(omp_get_max_threads(), 3);
   EXPECT_EQ(omp_get_max_active_levels(), levels);
   EXPECT_EQ(omp_get_dynamic(), dynamic);
-  EXPECT_EQ(_mm_getcsr() & ~_MM_EXCEPT_MASK, control);
+  EXPECT_EQ(arithmetic_control(), control);
   ASSERT_NE(getcwd(after, sizeof after), nullptr);
   EXPECT_STREQ(before, after);
 }
@@ -163,14 +163,14 @@ TEST(Coexistence, TheProcessIsAsItWas) {
 /// Sets the flags that a library built with -ffast-math leaves set.
 TEST(Coexistence, DenormalsTakenForZeroChangeNoBit) {
   const Pose usual = by_c(sharedPair(), 3, 2);
-  const unsigned before = _mm_getcsr();
-  const unsigned flush = before | 0x8040;  // FTZ and DAZ
-  _mm_setcsr(flush);
+  const std::uint64_t before = arithmetic_control();
+  const std::uint64_t flush = before | kFlushDenormals;
+  set_arithmetic_control(flush);
   const Pose flushed = by_c(sharedPair(), 3, 2);
-  const unsigned left = _mm_getcsr();
-  _mm_setcsr(before);
+  const std::uint64_t left = arithmetic_control();
+  set_arithmetic_control(before);
   EXPECT_EQ(flushed, usual);
-  EXPECT_EQ(left & ~_MM_EXCEPT_MASK, flush & ~_MM_EXCEPT_MASK);
+  EXPECT_EQ(left, flush);
 }
 
 }  // namespace
