@@ -17,6 +17,7 @@ class MethodSettings(TypedDict, total=False):
     sparse_points: int
     minimum_leaf_spacing: float
     maximum_leaf_growth: float
+    leaf_ladder: Switch
     normal_radius: float
     feature_radius: float
     max_correspondences: int

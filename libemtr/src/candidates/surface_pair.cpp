@@ -6,9 +6,19 @@ namespace {
 constexpr float kReach = 4;         // leaves that coarse_refinement() asks for
 constexpr double kQueries = 1.5e5;  // of a registration without a fallback search, about
 
-std::unique_ptr<Neighbors> neighbors(const Surface& surface, const Kernels& kernels) {
-  const auto leaf = static_cast<float>(surface.leaf);
-  return make_neighbors(surface.points, kReach * leaf, kQueries, kernels);
+// In the memory of a surface.
+struct Near {
+  std::shared_ptr<const Neighbors> neighbors;
+};
+
+std::shared_ptr<const Neighbors> near(const SharedSurface& surface, const Kernels& kernels) {
+  return surface.memo()
+      .get<Near>({},
+                 [&] {
+                   const auto leaf = static_cast<float>(surface->leaf);
+                   return Near{make_neighbors(surface->points, kReach * leaf, kQueries, kernels)};
+                 })
+      ->neighbors;
 }
 
 }  // namespace
@@ -21,7 +31,7 @@ SurfacePair::SurfacePair(const SharedSurface& source, const SharedSurface& targe
       source_viewpoint_(source_viewpoint),
       target_viewpoint_(target_viewpoint),
       ranking_(source_, target_, source_viewpoint, target_viewpoint, kernels),
-      near_target_(neighbors(*target_, kernels)),
+      near_target_(near(target_, kernels)),
       local_refinement_(source_, target_, nullptr, near_target_.get(), coarse_refinement(),
                         kernels) {
   ranking_.fit().add_subset(kQuickStep);

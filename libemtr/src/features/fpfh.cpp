@@ -15,6 +15,13 @@ FeatureDefinition feature_definition(const Settings& settings, double leaf) {
   return out;
 }
 
+std::vector<double> FeatureDefinition::numbers() const {
+  std::vector<double> out = {normal_radius, feature_radius, static_cast<double>(backend),
+                             static_cast<double>(trust_normals), static_cast<double>(normals_only)};
+  out.insert(out.end(), viewpoint.begin(), viewpoint.end());
+  return out;
+}
+
 namespace {
 
 Features describe_oriented(const Cloud& cloud, const FeatureDefinition& definition,

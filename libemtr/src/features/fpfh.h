@@ -36,6 +36,9 @@ struct FeatureDefinition {
   FeatureBackend backend = FeatureBackend::Pcl;
   bool trust_normals = true;  ///< the user's keep the side they point to, else the viewpoint's
   bool normals_only = false;  ///< no descriptors
+
+  /// All of it, to tell one definition from another.
+  std::vector<double> numbers() const;
 };
 
 /// Returns the definition that the settings ask for on a cloud downsampled by that leaf.

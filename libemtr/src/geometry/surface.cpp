@@ -43,7 +43,7 @@ Surface every_nth(const Surface& surface, std::size_t step) {
 
 SharedSurface::SharedSurface(Surface surface) {
   std::vector<SurfacePoint> interleaved = interleave(surface.points, surface.normals);
-  owned_ = std::make_shared<const Owned>(Owned{std::move(surface), std::move(interleaved)});
+  owned_ = std::make_shared<const Owned>(Owned{std::move(surface), std::move(interleaved), {}});
 }
 
 }  // namespace emtr

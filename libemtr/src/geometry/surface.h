@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/cloud.h"
+#include "util/memo.h"
 
 namespace emtr {
 
@@ -37,10 +38,14 @@ class SharedSurface {
   /// some.
   const std::vector<SurfacePoint>& interleaved() const { return owned_->interleaved; }
 
+  /// What was made of the surface, such as its neighbor structures.
+  Memo& memo() const { return owned_->memo; }
+
  private:
   struct Owned {
     Surface surface;
     std::vector<SurfacePoint> interleaved;
+    mutable Memo memo;
   };
   std::shared_ptr<const Owned> owned_;
 };

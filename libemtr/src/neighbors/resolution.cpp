@@ -31,6 +31,32 @@ float to_nearest_other(std::uint32_t i, const CellGrid& grid, NeighborList& list
   return squared;
 }
 
+/// Returns the least squared distance above 0 from the query to a point of the list; infinite where
+/// all of them are at its place.
+float to_other_place(const float query[3], const NeighborList& list) {
+  float least = HUGE_VALF;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const float dx = list.points.x[i] - query[0], dy = list.points.y[i] - query[1],
+                dz = list.points.z[i] - query[2];
+    const float squared = (dx * dx + dy * dy) + dz * dz;
+    least = squared > 0 && squared < least ? squared : least;
+  }
+  return least;
+}
+
+/// The same among all points of the grid, from a sorted point of one cell; 0 where there is none.
+float to_other_place(std::uint32_t i, std::size_t cell, const CellGrid& grid, Scratch& scratch) {
+  const float query[3] = {grid.sorted.x[i], grid.sorted.y[i], grid.sorted.z[i]};
+  for (int reach = 1;; reach *= 2) {
+    grid.around(cell, reach, scratch.ranges);
+    scratch.list.gather(grid.sorted, scratch.ranges);
+    const float squared = to_other_place(query, scratch.list);
+    const double searched = reach * grid.side() * (1 - 1e-5);
+    if (double{squared} <= searched * searched) return squared;
+    if (grid.spans(reach)) return squared < kFarAway ? squared : 0;
+  }
+}
+
 class Tree {
  public:
   explicit Tree(const Cloud& cloud) : points_(to_pcl(cloud)) { tree_.setInputCloud(points_); }
@@ -38,16 +64,6 @@ class Tree {
   float squared_to_other(std::size_t i) {
     search(i, 2);
     return squared_[1];
-  }
-
-  /// Returns 0 when all points are at one place.
-  float squared_to_other_place(std::size_t i) {
-    for (std::size_t k = 2;; k = std::min(2 * k, points_->size())) {
-      search(i, k);
-      for (const float squared : squared_)
-        if (squared > 0) return squared;
-      if (k == points_->size()) return 0;
-    }
   }
 
  private:
@@ -72,15 +88,23 @@ double mean_resolution(const Cloud& cloud) {
 }
 
 double mean_spacing(const Cloud& cloud, std::size_t max_count) {
-  Tree tree(cloud);
+  // A surface in the unit ball has an area of about 10: one point a cell, more where they crowd.
+  constexpr double kArea = 10, kFinest = 0.01;
+  const auto n = static_cast<double>(cloud.size());
+  const CellGrid grid(cloud, std::max(kFinest, std::sqrt(kArea / n)));
   const std::size_t step = std::max<std::size_t>(1, cloud.size() / max_count);
-  double sum = 0;
-  std::size_t queries = 0;
-  for (std::size_t i = 0; i < cloud.size(); i += step, ++queries) {
-    check_cancelled_each(queries, 6);
-    sum += std::sqrt(static_cast<double>(tree.squared_to_other_place(i)));
+  std::vector<float> squared((cloud.size() + step - 1) / step);
+  Scratch scratch;
+  for (std::size_t cell = 0; cell < grid.occupied(); ++cell) {
+    check_cancelled_each(cell, 6);
+    for (std::uint32_t i = grid.begin(cell); i < grid.end(cell); ++i) {
+      const auto row = static_cast<std::size_t>(grid.rows[i]);
+      if (row % step == 0) squared[row / step] = to_other_place(i, cell, grid, scratch);
+    }
   }
-  return sum / static_cast<double>(queries);
+  double sum = 0;
+  for (const float distance : squared) sum += std::sqrt(static_cast<double>(distance));
+  return sum / static_cast<double>(squared.size());
 }
 
 double mean_resolution(const Cloud& cloud, double leaf, const Kernels& kernels, int threads) {

@@ -21,7 +21,7 @@ void preprocess(InputCloud& source, InputCloud& target, const Settings& user) {
 
 NormalizedPair normalize(InputCloud& source, InputCloud& target, const Settings& user) {
   preprocess(source, target, user);
-  return normalize(source.preprocessed, target.preprocessed);
+  return normalize(source.preprocessed, target.preprocessed, user.leaf_ladder != 0);
 }
 
 }  // namespace emtr

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "evolution/engine.h"
 #include "neighbors/kdtree_neighbors.h"
@@ -69,20 +70,23 @@ Viewpoints find_viewpoints(const Problem& problem) {
   Viewpoints found = {given.source, given.target};
   if (!problem.settings.free_space || problem.settings.candidates == 0) return found;
   const DownsampledClouds& clouds = problem.downsampled;
-  const auto estimate = [&](const Cloud& dense, const Features& features, const Cloud& points,
-                            const double center[3], std::optional<Viewpoint>& viewpoint) {
+  const auto estimate = [&](int side, const Cloud& dense, const Features& features,
+                            const Cloud& points, const double center[3],
+                            std::optional<Viewpoint>& viewpoint) {
     if (viewpoint) return;
     const double origin[3] = {-center[0] / n.scale, -center[1] / n.scale, -center[2] / n.scale};
-    viewpoint = estimate_sampling_viewpoint(surface(dense, features, clouds.leaf_dense), points,
-                                            origin, problem.kernels);
+    viewpoint = *problem.pair.remembered<Viewpoint>(side, problem.features_by[side], [&] {
+      return estimate_sampling_viewpoint(surface(dense, features, clouds.leaf_dense), points,
+                                         origin, problem.kernels);
+    });
   };
   parallel_for(2, thread_count(problem.settings), [&](std::size_t i) {
     if (i == 0)
-      estimate(clouds.source_dense, problem.source_features, problem.pair.source, n.center_source,
-               found.source);
+      estimate(0, clouds.source_dense, problem.source_features, problem.pair.source,
+               n.center_source, found.source);
     else
-      estimate(clouds.target_dense, problem.target_features, problem.pair.target, n.center_target,
-               found.target);
+      estimate(1, clouds.target_dense, problem.target_features, problem.pair.target,
+               n.center_target, found.target);
   });
   return found;
 }
@@ -90,11 +94,20 @@ Viewpoints find_viewpoints(const Problem& problem) {
 void make_surfaces(const Viewpoints& viewpoints, Problem& problem) {
   if (problem.settings.candidates == 0) return;
   const DownsampledClouds& clouds = problem.downsampled;
-  Surface source = surface(clouds.source_dense, problem.source_features, clouds.leaf_dense),
-          target = surface(clouds.target_dense, problem.target_features, clouds.leaf_dense);
-  source.weighted = target.weighted = problem.settings.distinctiveness != 0;
-  problem.surfaces = std::make_unique<SurfacePair>(
-      std::move(source), std::move(target), viewpoints.source, viewpoints.target, problem.kernels);
+  const bool weighted = problem.settings.distinctiveness != 0;
+  const auto remembered = [&](int side, const Cloud& cloud, const Features& features) {
+    std::vector<double> by = problem.features_by[side];
+    by.push_back(weighted);
+    return problem.pair.remembered<SharedSurface>(side, by, [&] {
+      Surface out = surface(cloud, features, clouds.leaf_dense);
+      out.weighted = weighted;
+      return SharedSurface(std::move(out));
+    });
+  };
+  problem.surfaces =
+      std::make_unique<SurfacePair>(*remembered(0, clouds.source_dense, problem.source_features),
+                                    *remembered(1, clouds.target_dense, problem.target_features),
+                                    viewpoints.source, viewpoints.target, problem.kernels);
 }
 
 }  // namespace emtr

@@ -43,6 +43,7 @@ struct Problem {
   DownsampledClouds downsampled;
 
   Features source_features, target_features;     ///< of the dense clouds
+  std::vector<double> features_by[2];            ///< what they and the leaf were made by
   std::unique_ptr<KeypointPair> user_keypoints;  ///< null when the dense clouds are matched
 
   std::vector<Correspondence> correspondences;  ///< rows of matched_source(), matched_target()

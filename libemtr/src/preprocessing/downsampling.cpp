@@ -1,8 +1,10 @@
 #include "preprocessing/downsampling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "util/error.h"
@@ -79,6 +81,14 @@ void require_enough_points(const Cloud& cloud, const char* name, double leaf, do
                   ": it has too few points, or is too small beside the other");
 }
 
+// In the memory of a cloud.
+struct DenseCloud {
+  Cloud points, normals;
+};
+struct SparseCloud {
+  Cloud points;
+};
+
 /// Downsamples both clouds by one leaf; counts their voxels for the sparse and the dense pair.
 class Downsampler {
  public:
@@ -95,15 +105,14 @@ class Downsampler {
     const auto count = [&](float leaf) { return counters_[0](leaf) + counters_[1](leaf); };
     out.leaf_dense = find_leaf(count, settings_.dense_points, finest_leaf(pair_, settings_),
                                std::sqrt(10.0 / settings_.dense_points));
-    out.leaf_dense = grown_leaf(out.leaf_dense);
-    downsample_both(out.leaf_dense, out.source_dense, out.target_dense);
-
-    const auto mean_of = [&](const Cloud& cloud, const Cloud& normals) {
-      return normals.size() ? mean_normals(cloud, normals, static_cast<float>(out.leaf_dense))
-                            : Cloud();
-    };
-    out.source_normals = mean_of(pair_.source, pair_.preprocessed_source->normals);
-    out.target_normals = mean_of(pair_.target, pair_.preprocessed_target->normals);
+    out.leaf_dense = on_ladder(grown_leaf(out.leaf_dense));
+    const auto both = downsample_both<DenseCloud>(
+        out.leaf_dense, [](const Cloud& cloud, const Cloud& normals, float leaf) {
+          return DenseCloud{voxel_grid(cloud, leaf),
+                            normals.size() ? mean_normals(cloud, normals, leaf) : Cloud()};
+        });
+    out.source_dense = both[0]->points, out.source_normals = both[0]->normals;
+    out.target_dense = both[1]->points, out.target_normals = both[1]->normals;
 
     require_enough_points(out.source_dense, "source", out.leaf_dense, pair_.normalization.scale);
     require_enough_points(out.target_dense, "target", out.leaf_dense, pair_.normalization.scale);
@@ -115,9 +124,14 @@ class Downsampler {
     const double dense = static_cast<double>(out.source_dense.size() + out.target_dense.size());
     const double wanted = settings_.sparse_points * std::min(1.0, dense / settings_.dense_points);
     const double source_dense = static_cast<double>(out.source_dense.size());
-    out.leaf_sparse = find_leaf([&](float leaf) { return counters_[0](leaf); }, wanted,
-                                out.leaf_dense, out.leaf_dense * std::sqrt(source_dense / wanted));
-    downsample_both(out.leaf_sparse, out.source_sparse, out.target_sparse);
+    out.leaf_sparse =
+        on_ladder(find_leaf([&](float leaf) { return counters_[0](leaf); }, wanted, out.leaf_dense,
+                            out.leaf_dense * std::sqrt(source_dense / wanted)));
+    const auto both = downsample_both<SparseCloud>(
+        out.leaf_sparse, [](const Cloud& cloud, const Cloud&, float leaf) {
+          return SparseCloud{voxel_grid(cloud, leaf)};
+        });
+    out.source_sparse = both[0]->points, out.target_sparse = both[1]->points;
   }
 
  private:
@@ -145,12 +159,25 @@ class Downsampler {
     return voxels(leaf / 2) > kCurve * here && here < kSurface * voxels(2 * leaf);
   }
 
-  void downsample_both(double leaf, Cloud& source, Cloud& target) const {
-    const Cloud* const clouds[2] = {&pair_.source, &pair_.target};
-    Cloud* const outputs[2] = {&source, &target};
+  double on_ladder(double leaf) const {
+    // The rung nearest to the finest leaf must not be finer.
+    return pair_.ladder ? Ladder::nearest(std::max(leaf, 1.05 * kFinestLeaf)) : leaf;
+  }
+
+  /// Calls make(points, normals, leaf) for each cloud of which its result is not known.
+  template <class Downsampled, class Make>
+  std::array<std::shared_ptr<const Downsampled>, 2> downsample_both(double leaf,
+                                                                    const Make& make) const {
+    std::array<std::shared_ptr<const Downsampled>, 2> out;
     parallel_for(2, threads_, [&](std::size_t i) {
-      *outputs[i] = voxel_grid(*clouds[i], static_cast<float>(leaf));
+      const int side = static_cast<int>(i);
+      const Cloud& points = side == 0 ? pair_.source : pair_.target;
+      const PreprocessedCloud& from =
+          side == 0 ? *pair_.preprocessed_source : *pair_.preprocessed_target;
+      out[i] = pair_.remembered<Downsampled>(
+          side, {leaf}, [&] { return make(points, from.normals, static_cast<float>(leaf)); });
     });
+    return out;
   }
 
   const NormalizedPair& pair_;

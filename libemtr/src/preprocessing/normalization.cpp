@@ -19,9 +19,11 @@ double spacing(const PreprocessedCloud& cloud, const Normalization& normalizatio
   return cloud.spacing() * (cloud.radius / normalization.scale);
 }
 
-NormalizedPair normalize(PreprocessedCloudPtr source, PreprocessedCloudPtr target) {
+NormalizedPair normalize(PreprocessedCloudPtr source, PreprocessedCloudPtr target, bool ladder) {
   NormalizedPair pair;
-  pair.normalization.scale = std::max(source->radius, target->radius);
+  const double radius = std::max(source->radius, target->radius);
+  pair.ladder = ladder;
+  pair.normalization.scale = ladder ? Ladder::above(radius) : radius;
   std::copy_n(source->center, 3, pair.normalization.center_source);
   std::copy_n(target->center, 3, pair.normalization.center_target);
   pair.source = scale_cloud(source->base, source->radius / pair.normalization.scale);
@@ -29,6 +31,12 @@ NormalizedPair normalize(PreprocessedCloudPtr source, PreprocessedCloudPtr targe
   pair.preprocessed_source = std::move(source);
   pair.preprocessed_target = std::move(target);
   return pair;
+}
+
+double NormalizedPair::leaf_of_radii(double leaf) const {
+  if (!ladder) return leaf;
+  const double radius = std::max(preprocessed_source->radius, preprocessed_target->radius);
+  return Ladder::nearest(leaf * (radius / normalization.scale));
 }
 
 bool trust_normals(const NormalizedPair& pair) {

@@ -11,6 +11,7 @@
 
 #include "preprocessing/base_points.h"
 #include "preprocessing/keypoints.h"
+#include "util/recent_memo.h"
 
 namespace emtr {
 
@@ -54,6 +55,10 @@ class PreprocessedCloud {
   /// progress callback, and the callback may register this very cloud.
   double spacing() const;
 
+  /// What the stages have made of the cloud, see NormalizedPair::remembered(). Few clouds of a
+  /// process remember, those that were used last.
+  Memo& memo() const { return memo_.use(); }
+
   /// Returns the same cloud with all lengths multiplied, about the origin of the user's frame.
   std::shared_ptr<const PreprocessedCloud> rescaled(double factor) const;
 
@@ -72,6 +77,7 @@ class PreprocessedCloud {
   std::vector<std::int64_t> finite_;  ///< the user's rows of all points, when some are left out
   std::vector<std::int64_t> strays_;  ///< the user's rows of the strays
   mutable Cached spacing_;
+  mutable RecentMemo memo_;
 };
 
 using PreprocessedCloudPtr = std::shared_ptr<const PreprocessedCloud>;

@@ -24,12 +24,29 @@ float common_leaf(const Surface& source, const Surface& target) {
   return static_cast<float>(source.leaf);
 }
 
-std::unique_ptr<Neighbors> near(const Surface& surface, const Kernels& kernels) {
-  const Cloud& points = surface.points;
-  if (points.size() == 0 || surface.normals.size() != points.size())
+// In the memory of a surface.
+struct Near {
+  std::shared_ptr<const Neighbors> neighbors;
+};
+struct Weights {
+  std::vector<float> of_points;
+};
+
+std::shared_ptr<const Neighbors> near(const SharedSurface& surface, const Kernels& kernels) {
+  const Cloud& points = surface->points;
+  if (points.size() == 0 || surface->normals.size() != points.size())
     throw std::invalid_argument("surface: expected points, and a normal for each");
-  const auto leaf = static_cast<float>(surface.leaf);
-  return make_candidate_grid(points, kReach * leaf, kCell * leaf, kernels);
+  const auto make = [&] {
+    const auto leaf = static_cast<float>(surface->leaf);
+    return Near{make_candidate_grid(points, kReach * leaf, kCell * leaf, kernels)};
+  };
+  return surface.memo().get<Near>({}, make)->neighbors;
+}
+
+std::vector<float> remembered_distinctiveness(const SharedSurface& surface) {
+  return surface.memo()
+      .get<Weights>({}, [&] { return Weights{distinctiveness(*surface)}; })
+      ->of_points;
 }
 
 }  // namespace
@@ -38,11 +55,11 @@ SurfaceFit::SurfaceFit(const SharedSurface& source, const SharedSurface& target,
                        const Kernels& kernels)
     : kernels_(kernels),
       leaf_(common_leaf(*source, *target)),
-      neighbors_{near(*source, kernels), near(*target, kernels)} {
-  std::vector<float> of_target = distinctiveness(*target);
-  plainest_of_target_ = least_distinctive(of_target);
-  subsets_.push_back(
-      {1, {weighted(source, distinctiveness(*source)), weighted(target, std::move(of_target))}});
+      neighbors_{near(source, kernels), near(target, kernels)} {
+  plainest_of_target_ = least_distinctive(remembered_distinctiveness(target));
+  subsets_.push_back({1,
+                      {weighted(source, remembered_distinctiveness(source)),
+                       weighted(target, remembered_distinctiveness(target))}});
 }
 
 SurfaceFit::Weighted SurfaceFit::weighted(const SharedSurface& surface,

@@ -16,6 +16,14 @@ constexpr double kMinimumPoints =
 constexpr int kMaximumAttempts = 4;
 constexpr double kQueries = 5e4;  // nearest-neighbor queries of one refinement, about
 
+// In the memory of a cloud, and in that of its surface.
+struct FineSurface {
+  SharedSurface surface;
+};
+struct Near {
+  std::shared_ptr<const Neighbors> neighbors;
+};
+
 double points_per_cube(const Cloud& cloud, const Surface& surface) {
   return static_cast<double>(cloud.size()) / static_cast<double>(surface.points.size());
 }
@@ -27,26 +35,32 @@ FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, double coars
   const Cloud* const clouds[2] = {&pair.source, &pair.target};
   const PreprocessedCloud* const from[2] = {pair.preprocessed_source.get(),
                                             pair.preprocessed_target.get()};
+  leaf = pair.leaf_of_radii(leaf);
   const auto for_both = [&](const auto& job) { parallel_for(2, threads, job); };
-  Surface surfaces[2];
+  std::shared_ptr<const FineSurface> surfaces[2];
   for (int attempt = 0;; ++attempt) {
     for_both([&](std::size_t i) {
       const bool has_normals = from[i] && from[i]->normals.size();  // a pair may be bare points
-      surfaces[i] = has_normals ? downsample_surface(*clouds[i], from[i]->normals, leaf)
-                                : downsample_surface(*clouds[i], leaf, kNormalReach, kernels);
+      surfaces[i] = pair.remembered<FineSurface>(static_cast<int>(i), {leaf}, [&] {
+        return FineSurface{has_normals
+                               ? downsample_surface(*clouds[i], from[i]->normals, leaf)
+                               : downsample_surface(*clouds[i], leaf, kNormalReach, kernels)};
+      });
     });
-    const double filling = std::min(points_per_cube(pair.source, surfaces[0]),
-                                    points_per_cube(pair.target, surfaces[1]));
+    const double filling = std::min(points_per_cube(pair.source, *surfaces[0]->surface),
+                                    points_per_cube(pair.target, *surfaces[1]->surface));
     if (filling >= kMinimumPoints || attempt == kMaximumAttempts || leaf == coarsest) break;
-    leaf = std::min(leaf * std::sqrt(1.1 * kMinimumPoints / filling), coarsest);
+    leaf = std::min(pair.leaf(leaf * std::sqrt(1.1 * kMinimumPoints / filling)), coarsest);
   }
   const LocalRefinementSettings settings;
   const auto reach = static_cast<float>(std::max(settings.first_scale, settings.reach) * leaf);
-  std::unique_ptr<Neighbors> near[2];
+  std::shared_ptr<const Near> near[2];
   for_both([&](std::size_t i) {
-    near[i] = make_neighbors(surfaces[i].points, reach, kQueries, kernels);
+    const SharedSurface& surface = surfaces[i]->surface;
+    near[i] = surface.memo().get<Near>(
+        {}, [&] { return Near{make_neighbors(surface->points, reach, kQueries, kernels)}; });
   });
-  return {std::move(surfaces[0]), std::move(surfaces[1]), std::move(near[0]), std::move(near[1])};
+  return {surfaces[0]->surface, surfaces[1]->surface, near[0]->neighbors, near[1]->neighbors};
 }
 
 }  // namespace emtr

@@ -13,12 +13,12 @@ namespace emtr {
 struct FineSurfaces {
   SharedSurface source, target;  ///< with the same leaf
   /// Nearest points of each, within three leaves at least.
-  std::unique_ptr<Neighbors> near_source, near_target;
+  std::shared_ptr<const Neighbors> near_source, near_target;
 
   double leaf() const { return source->leaf; }
 };
 
-/// Downsamples both at the leaf asked for (normalized frame), or as finely as the sparser cloud
+/// Downsamples both at the leaf asked for (radii), or as finely as the sparser cloud
 /// allows; but at `coarsest` where even that is finer: the leaf of the surfaces on which the pose
 /// was found, since coarser ones would lose it again.
 FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, double coarsest,

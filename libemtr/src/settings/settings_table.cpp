@@ -43,6 +43,10 @@ const std::vector<Setting>& setting_table() {
           "how many times the dense leaf may grow where a cloud lies along curves, as the rings "
           "of a spinning LiDAR do, until it lies like a surface; 1: not at all",
           ""),
+      SETTING(leaf_ladder, Switch, "", 0, 1, 1, "sparse to dense",
+              "round leaves, and the scale of the normalized frame, to eight lengths an octave, so "
+              "that what is made of a preprocessed cloud serves beside the next",
+              ""),
       SETTING(normal_radius, Real, "dense leaves", 1, 50, 2, "features and matches",
               "radius of the normals' neighborhoods", ""),
       SETTING(feature_radius, Real, "dense leaves", 1, 50, 5, "features and matches",
@@ -225,6 +229,7 @@ const std::vector<Preset>& preset_table() {
       {"paper",
        {{"dense_points", 4000},
         {"maximum_leaf_growth", 1},
+        {"leaf_ladder", 0},
         {"features", EMTR_FEATURES_PCL},
         {"max_tims", 100000},
         {"seeds", 0},

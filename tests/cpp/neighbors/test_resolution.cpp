@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "neighbors/resolution.h"
@@ -29,6 +31,36 @@ TEST(Spacing, IsTheMeanDistanceToTheNearestOtherPlace) {
   emtr::Cloud one_place;
   for (int copy = 0; copy < 12; ++copy) emtr_test::push(one_place, 1, 2, 3);
   EXPECT_DOUBLE_EQ(emtr::mean_spacing(one_place, 1000), 0);
+}
+
+double spacing_by_brute_force(const emtr::Cloud& cloud, std::size_t step) {
+  double sum = 0;
+  std::size_t queries = 0;
+  for (std::size_t i = 0; i < cloud.size(); i += step, ++queries) {
+    float least = HUGE_VALF;
+    for (std::size_t j = 0; j < cloud.size(); ++j) {
+      const float dx = cloud.x[i] - cloud.x[j], dy = cloud.y[i] - cloud.y[j],
+                  dz = cloud.z[i] - cloud.z[j];
+      const float squared = (dx * dx + dy * dy) + dz * dz;
+      if (squared > 0) least = std::min(least, squared);
+    }
+    sum += std::sqrt(static_cast<double>(least));
+  }
+  return sum / static_cast<double>(queries);
+}
+
+TEST(Spacing, IsExactWhereverThePointsCrowd) {
+  emtr::Cloud twins = emtr_test::uniform_cloud(400, 2);
+  for (std::size_t i = 0; i < 100; ++i) emtr_test::push(twins, twins.x[i], twins.y[i], twins.z[i]);
+  emtr::Cloud crowd = emtr_test::uniform_cloud(2000, 3, 0.001f);  // all in one cell but two
+  emtr_test::push(crowd, 0.9f, -0.8f, 0.7f);
+  emtr_test::push(crowd, -0.9f, 0.8f, 0.7f);
+  const emtr_test::Pair pair(4, 5000);
+  const auto normalized = emtr::normalize(pair.source(), pair.target(), 1);
+  for (const emtr::Cloud& cloud : {twins, crowd, normalized.source})
+    for (const std::size_t most : {100000u, 700u})
+      EXPECT_EQ(emtr::mean_spacing(cloud, most),
+                spacing_by_brute_force(cloud, std::max<std::size_t>(1, cloud.size() / most)));
 }
 
 TEST(Resolution, IsTheSameBitsOnTheGridAndInTheTree) {

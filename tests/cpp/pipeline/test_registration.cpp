@@ -80,10 +80,12 @@ TEST_P(OfPreset, RegistersAPairAndFillsTheResult) {
   EXPECT_NEAR(r->normalization_scale / pair.unit(), 1, 0.5);
   EXPECT_GT(r->leaf_sparse, r->leaf_dense);
   EXPECT_GT(r->leaf_dense, 0);
-  // With the seeds of the larger presets the best pose stays in one place from the first one on.
-  const bool is_at_once = settings.candidates > 0 && std::string(GetParam()) != "fast";
-  EXPECT_EQ(r->iterations, static_cast<std::size_t>(is_at_once ? 1 + settings.stall_iterations
-                                                               : settings.iterations));
+  // With seeds the best pose stays in one place, from the first one on where there are many.
+  const auto all = static_cast<std::size_t>(settings.iterations),
+             stalled = static_cast<std::size_t>(1 + settings.stall_iterations);
+  const bool may_stall = settings.candidates > 0, is_fast = std::string(GetParam()) == "fast";
+  EXPECT_GE(r->iterations, may_stall ? stalled : all);
+  EXPECT_LE(r->iterations, may_stall && !is_fast ? stalled : all);
   EXPECT_LE(r->history_beta[r->iterations - 1], r->history_beta[0]);
   EXPECT_GE(r->history_alpha[0], r->history_alpha[1]);
   EXPECT_EQ(r->seed, settings.seed);
