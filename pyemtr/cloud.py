@@ -29,6 +29,10 @@ class Cloud:
     It never changes and does not refer to the caller's memory; threads may share it. It can be
     pickled, and is then preprocessed again where it is read, to the same bits.
 
+    While it is one of the sixteen clouds of the process that were used last, it remembers what
+    registrations made of it, such as features and fine surfaces: 5 to 15 MB. The next registration
+    with the same settings beside a cloud of like size then takes some three fifths of the time.
+
     Args:
         points: as :func:`pyemtr.register` takes them: an array (N, 3) in any unit, a file, a mesh
             or an object with points.
@@ -147,7 +151,7 @@ class Cloud:
     @property
     def nbytes(self) -> int:
         """About how many bytes of memory it takes: the points that the library works with, with
-        normals and features, and those that ``points`` gives."""
+        normals and features, and those that ``points`` gives; not what registrations made."""
         info = self._info
         parts = 1 + bool(info["normals"]) + (self._colors or self._intensity)
         base = int(info["base_points"]) * 12 * parts

@@ -671,7 +671,8 @@ EMTR_API emtr_status emtr_residuals(const emtr_cloud* source, const emtr_cloud* 
 
 /* A cloud that was read, measured and, if it is large, downsampled: all work that does not depend
  * on the other cloud. It never changes, so many registrations may use it at once, as source and as
- * target. */
+ * target. While it is one of the sixteen of the process that were used last, it remembers what a
+ * registration made of it, in 5 to 15 MB, for the next one. */
 typedef struct emtr_preprocessed emtr_preprocessed;
 
 /* Preprocesses a cloud. `name` begins the error messages, as in "<name> cloud: ..."; null for none.
