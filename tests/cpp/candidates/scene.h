@@ -64,8 +64,9 @@ inline std::vector<emtr::Rigid> anywhere(std::size_t n, std::uint64_t seed) {
   Draw draw(seed);
   std::vector<emtr::Rigid> out;
   for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector3d degrees = draw.uniform(0, 180) * draw.direction();
-    out.push_back(motion(degrees, 0.3 * draw.direction()));
+    const Eigen::Vector3d axis = draw.direction();  // in an order that no compiler chooses
+    const double degrees = draw.uniform(0, 180);
+    out.push_back(motion(degrees * axis, 0.3 * draw.direction()));
   }
   return out;
 }
