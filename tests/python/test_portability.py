@@ -100,6 +100,7 @@ def test_another_processor_is_built_for_by_this_ones_compiler(fake, capsys) -> N
     assert any("CXX=aarch64-linux-gnu-g++" in script for script in scripts)
     assert not any("cpack" in script for script in scripts)
     assert any("registered_pair.py" in script for script in scripts)
+    assert any("GTEST_SHARD_INDEX=1 ./emtr_tests; wait $!" in script for script in scripts)
     assert "trixie-arm64    gcc    passed" in capsys.readouterr().out
 
 
