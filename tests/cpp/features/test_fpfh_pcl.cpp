@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <pcl/pcl_config.h>
 
-#include <Eigen/Core>
 #include <cstring>
 
 #include "support/dense.h"
@@ -43,7 +43,7 @@ TEST(FpfhPcl, IsTheSameBitsWhereDistancesAreEqualOrPointsAreLonely) {
                       3 + 0.03125f * static_cast<float>(i * j % 4));
   for (std::size_t i = 0; i < 60; ++i)  // twins
     emtr_test::push(cloud, cloud.x[7 * i], cloud.y[7 * i], cloud.z[7 * i]);
-#ifndef EIGEN_PATCH_VERSION  // from Eigen 5 on, PCL finds a normal on a line
+#if PCL_VERSION_COMPARE(<, 1, 15, 0)  // later ones may find a normal on a line
   for (int k = 0; k < 4; ++k) emtr_test::push(cloud, static_cast<float>(k) / 8, 9, 9);
 #endif
   emtr_test::push(cloud, -9, 9, 9);
