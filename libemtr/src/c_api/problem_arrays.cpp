@@ -40,13 +40,13 @@ ProblemArrays::View ProblemArrays::view(emtr_array which) const {
     case EMTR_TARGET_DENSE:
       return interleaved(which, p.downsampled.target_dense);
     case EMTR_SOURCE_NORMALS:
-      return plain(p.source_features.normals, 3);
+      return plain(p.source_features->normals, 3);
     case EMTR_TARGET_NORMALS:
-      return plain(p.target_features.normals, 3);
+      return plain(p.target_features->normals, 3);
     case EMTR_SOURCE_FEATURES:
-      return features(p.source_features, source_keypoints);
+      return features(*p.source_features, source_keypoints);
     case EMTR_TARGET_FEATURES:
-      return features(p.target_features, target_keypoints);
+      return features(*p.target_features, target_keypoints);
     case EMTR_CORRESPONDENCES:
       return {p.correspondences.data(), p.correspondences.size(), 2};
     case EMTR_TIM_SOURCE:

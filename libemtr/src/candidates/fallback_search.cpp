@@ -1,8 +1,7 @@
 #include "candidates/fallback_search.h"
 
 #include "correspondences/matching.h"
-#include "features/fpfh.h"
-#include "preprocessing/downsampling.h"
+#include "preprocessing/dense_features.h"
 #include "seeds/seeds.h"
 
 namespace emtr {
@@ -10,19 +9,16 @@ namespace {
 
 constexpr int kNearest = 3;  // of each other, to be a match
 
-Features describe_towards(const NormalizedPair& pair, int side, const DownsampledClouds& clouds,
-                          const std::optional<Viewpoint>& viewpoint, const Settings& settings,
-                          const Kernels& kernels, int threads) {
+std::shared_ptr<const Features> describe_towards(const NormalizedPair& pair, int side,
+                                                 const DownsampledClouds& clouds,
+                                                 const std::optional<Viewpoint>& viewpoint,
+                                                 const Settings& settings, const Kernels& kernels,
+                                                 int threads) {
   FeatureDefinition definition = feature_definition(settings, clouds.leaf_dense);
   definition.trust_normals = trust_normals(pair);
   definition.backend = FeatureBackend::Simd;
   if (viewpoint) definition.viewpoint = viewpoint->in_float();
-  const Cloud& cloud = side == 0 ? clouds.source_dense : clouds.target_dense;
-  const Cloud& normals = side == 0 ? clouds.source_normals : clouds.target_normals;
-  std::vector<double> by = definition.numbers();
-  by.push_back(clouds.leaf_dense);
-  return *pair.remembered<Features>(
-      side, by, [&] { return describe(cloud, definition, kernels, threads, normals); });
+  return dense_features(pair, side, clouds, definition, kernels, threads);
 }
 
 }  // namespace
@@ -47,24 +43,22 @@ std::vector<Rigid> find_fallback_seeds(const NormalizedPair& pair,
   Settings many = settings;
   many.dense_points = settings.fallback_points;
   const DownsampledClouds d = downsample_dense(pair, many);
-  const Features source =
-      describe_towards(pair, 0, d, source_viewpoint, settings, kernels, threads);
-  const Features target =
-      describe_towards(pair, 1, d, target_viewpoint, settings, kernels, threads);
+  const auto source = describe_towards(pair, 0, d, source_viewpoint, settings, kernels, threads);
+  const auto target = describe_towards(pair, 1, d, target_viewpoint, settings, kernels, threads);
 
   std::vector<Rigid> out;
   const auto search = [&](const Features& source_features) {
     const auto matches = match_distinctive(
-        source_features, target, kNearest,
+        source_features, *target, kNearest,
         static_cast<std::size_t>(settings.fallback_correspondences), kernels, threads);
     const auto poses = poses_of_matches(d.source_dense, d.target_dense, matches, d.leaf_dense,
                                         settings, kernels, threads);
     out.insert(out.end(), poses.begin(), poses.end());
   };
-  search(source);
+  search(*source);
   const auto believed = [](const std::optional<Viewpoint>& v) { return v && v->trust == 1; };
   if (!trust_normals(pair) && !(believed(source_viewpoint) && believed(target_viewpoint)))
-    search(mirrored(source));
+    search(mirrored(*source));
   return out;
 }
 

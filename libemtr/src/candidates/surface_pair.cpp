@@ -6,19 +6,11 @@ namespace {
 constexpr float kReach = 4;         // leaves that coarse_refinement() asks for
 constexpr double kQueries = 1.5e5;  // of a registration without a fallback search, about
 
-// In the memory of a surface.
-struct Near {
-  std::shared_ptr<const Neighbors> neighbors;
-};
-
-std::shared_ptr<const Neighbors> near(const SharedSurface& surface, const Kernels& kernels) {
-  return surface.memo()
-      .get<Near>({},
-                 [&] {
-                   const auto leaf = static_cast<float>(surface->leaf);
-                   return Near{make_neighbors(surface->points, kReach * leaf, kQueries, kernels)};
-                 })
-      ->neighbors;
+SharedNeighbors near(const SharedSurface& surface, const Kernels& kernels) {
+  const auto leaf = static_cast<float>(surface->leaf);
+  return *surface.memo().get<SharedNeighbors>({kReach, kQueries}, [&] {
+    return make_neighbors(surface->points, kReach * leaf, kQueries, kernels);
+  });
 }
 
 }  // namespace

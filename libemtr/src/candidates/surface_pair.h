@@ -38,7 +38,7 @@ class SurfacePair {
   const SharedSurface source_, target_;
   const std::optional<Viewpoint> source_viewpoint_, target_viewpoint_;
   Ranking ranking_;
-  std::shared_ptr<const Neighbors> near_target_;
+  SharedNeighbors near_target_;
   LocalRefinement local_refinement_;
 };
 

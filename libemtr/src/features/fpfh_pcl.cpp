@@ -19,7 +19,7 @@ namespace emtr {
 namespace {
 
 /// Tells whether the covariance is exactly that of points on one line, or on one point. There PCL
-/// finds no normal with Eigen 3, and any with Eigen 5.
+/// finds no normal before 1.15, and any since.
 bool is_of_line(const Eigen::Matrix3f& covariance) {
   const auto along = [&](Eigen::Index i, Eigen::Index k) {
     return covariance.row(i).cross(covariance.row(k)).isZero(0);

@@ -27,18 +27,21 @@ class Ladder {
   }
 
   /// Returns the least rung that is no smaller than the length, which is above 0.
-  static double above(double length) {
-    int index = static_cast<int>(std::ceil(kSteps * std::log2(length)));
-    while (rung(index) < length) ++index;
-    while (rung(index - 1) >= length) --index;
-    return rung(index);
-  }
+  static double above(double length) { return rung(index_above(length)); }
 
   /// Returns the nearest rung, by ratio.
   static double nearest(double length) {
-    const double high = above(length);
-    const double low = high / 1.0905077326652577;
-    return length * length < low * high ? above(low) : high;
+    const int index = index_above(length);
+    const double high = rung(index), low = rung(index - 1);
+    return length * length < low * high ? low : high;
+  }
+
+ private:
+  static int index_above(double length) {
+    int index = static_cast<int>(std::ceil(kSteps * std::log2(length)));
+    while (rung(index) < length) ++index;
+    while (rung(index - 1) >= length) --index;
+    return index;
   }
 };
 

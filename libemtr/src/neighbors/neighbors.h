@@ -27,6 +27,9 @@ inline float squared_distance(float dx, float dy, float dz) {
   return (dx * dx + dy * dy) + dz * dz;
 }
 
+/// A structure that the memory of a cloud may own.
+using SharedNeighbors = std::shared_ptr<const Neighbors>;
+
 std::unique_ptr<Neighbors> make_brute_force(const Cloud& cloud, float radius);
 
 /// Makes a regular grid whose cells each list every point that can be nearest to some place in

@@ -1,8 +1,8 @@
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "pipeline/problem_stages.h"
+#include "preprocessing/dense_features.h"
 #include "ranking/given_viewpoints.h"
 
 namespace emtr {
@@ -23,22 +23,15 @@ void describe_clouds(Problem& problem) {
   definition.normals_only = problem.user_keypoints != nullptr;
   // One rule for both clouds: normals face the sensors only where both positions are known.
   const GivenViewpoints sensors(problem.settings, problem.pair.normalization);
-  const auto described = [&](int side, const Cloud& cloud, const Cloud& normals,
-                             const std::optional<Viewpoint>& sensor) {
+  const auto described = [&](int side, const std::optional<Viewpoint>& sensor) {
     FeatureDefinition of_cloud = definition;
-    if (sensors.both())
-      for (std::size_t a = 0; a < 3; ++a) of_cloud.viewpoint[a] = static_cast<float>(sensor->at[a]);
-    std::vector<double>& by = problem.features_by[side];
-    by = of_cloud.numbers();
-    by.push_back(clouds.leaf_dense);
-    return *problem.pair.remembered<Features>(side, by, [&] {
-      return describe(cloud, of_cloud, problem.kernels, thread_count(problem.settings), normals);
-    });
+    if (sensors.both()) of_cloud.viewpoint = sensor->in_float();
+    problem.features_by[side] = arguments_of_features(of_cloud, clouds.leaf_dense);
+    return dense_features(problem.pair, side, clouds, of_cloud, problem.kernels,
+                          thread_count(problem.settings));
   };
-  problem.source_features =
-      described(0, clouds.source_dense, clouds.source_normals, sensors.source);
-  problem.target_features =
-      described(1, clouds.target_dense, clouds.target_normals, sensors.target);
+  problem.source_features = described(0, sensors.source);
+  problem.target_features = described(1, sensors.target);
 }
 
 }  // namespace emtr

@@ -82,10 +82,10 @@ Viewpoints find_viewpoints(const Problem& problem) {
   };
   parallel_for(2, thread_count(problem.settings), [&](std::size_t i) {
     if (i == 0)
-      estimate(0, clouds.source_dense, problem.source_features, problem.pair.source,
+      estimate(0, clouds.source_dense, *problem.source_features, problem.pair.source,
                n.center_source, found.source);
     else
-      estimate(1, clouds.target_dense, problem.target_features, problem.pair.target,
+      estimate(1, clouds.target_dense, *problem.target_features, problem.pair.target,
                n.center_target, found.target);
   });
   return found;
@@ -105,8 +105,8 @@ void make_surfaces(const Viewpoints& viewpoints, Problem& problem) {
     });
   };
   problem.surfaces =
-      std::make_unique<SurfacePair>(*remembered(0, clouds.source_dense, problem.source_features),
-                                    *remembered(1, clouds.target_dense, problem.target_features),
+      std::make_unique<SurfacePair>(*remembered(0, clouds.source_dense, *problem.source_features),
+                                    *remembered(1, clouds.target_dense, *problem.target_features),
                                     viewpoints.source, viewpoints.target, problem.kernels);
 }
 

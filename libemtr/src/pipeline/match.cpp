@@ -21,7 +21,7 @@ void find_correspondences(Problem& problem) {
               problem.kernels, thread_count(problem.settings), &problem.correspondences_found);
   };
   if (!problem.user_keypoints)
-    match_descriptors(problem.source_features, problem.target_features);
+    match_descriptors(*problem.source_features, *problem.target_features);
   else if (problem.user_keypoints->source.dimension)
     match_descriptors(problem.user_keypoints->source, problem.user_keypoints->target);
 }

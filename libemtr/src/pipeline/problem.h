@@ -42,7 +42,7 @@ struct Problem {
 
   DownsampledClouds downsampled;
 
-  Features source_features, target_features;     ///< of the dense clouds
+  std::shared_ptr<const Features> source_features, target_features;  ///< of the dense clouds
   std::vector<double> features_by[2];            ///< what they and the leaf were made by
   std::unique_ptr<KeypointPair> user_keypoints;  ///< null when the dense clouds are matched
 

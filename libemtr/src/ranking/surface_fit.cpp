@@ -25,22 +25,18 @@ float common_leaf(const Surface& source, const Surface& target) {
 }
 
 // In the memory of a surface.
-struct Near {
-  std::shared_ptr<const Neighbors> neighbors;
-};
 struct Weights {
   std::vector<float> of_points;
 };
 
-std::shared_ptr<const Neighbors> near(const SharedSurface& surface, const Kernels& kernels) {
+SharedNeighbors near(const SharedSurface& surface, const Kernels& kernels) {
   const Cloud& points = surface->points;
   if (points.size() == 0 || surface->normals.size() != points.size())
     throw std::invalid_argument("surface: expected points, and a normal for each");
-  const auto make = [&] {
-    const auto leaf = static_cast<float>(surface->leaf);
-    return Near{make_candidate_grid(points, kReach * leaf, kCell * leaf, kernels)};
-  };
-  return surface.memo().get<Near>({}, make)->neighbors;
+  const auto leaf = static_cast<float>(surface->leaf);
+  return *surface.memo().get<SharedNeighbors>({kReach, kCell}, [&] {
+    return make_candidate_grid(points, kReach * leaf, kCell * leaf, kernels);
+  });
 }
 
 std::vector<float> remembered_distinctiveness(const SharedSurface& surface) {

@@ -91,8 +91,8 @@ class SurfaceFit {
   const Kernels& kernels_;
   const float leaf_;
   std::size_t plainest_of_target_ = 0;
-  const std::shared_ptr<const Neighbors> neighbors_[2];  // of the source, of the target
-  std::vector<Subset> subsets_;                          // all points first
+  const SharedNeighbors neighbors_[2];  // of the source, of the target
+  std::vector<Subset> subsets_;         // all points first
 };
 
 }  // namespace emtr

@@ -16,12 +16,9 @@ constexpr double kMinimumPoints =
 constexpr int kMaximumAttempts = 4;
 constexpr double kQueries = 5e4;  // nearest-neighbor queries of one refinement, about
 
-// In the memory of a cloud, and in that of its surface.
+// In the memory of a cloud.
 struct FineSurface {
   SharedSurface surface;
-};
-struct Near {
-  std::shared_ptr<const Neighbors> neighbors;
 };
 
 double points_per_cube(const Cloud& cloud, const Surface& surface) {
@@ -54,13 +51,14 @@ FineSurfaces fine_surfaces(const NormalizedPair& pair, double leaf, double coars
   }
   const LocalRefinementSettings settings;
   const auto reach = static_cast<float>(std::max(settings.first_scale, settings.reach) * leaf);
-  std::shared_ptr<const Near> near[2];
+  SharedNeighbors near[2];
   for_both([&](std::size_t i) {
     const SharedSurface& surface = surfaces[i]->surface;
-    near[i] = surface.memo().get<Near>(
-        {}, [&] { return Near{make_neighbors(surface->points, reach, kQueries, kernels)}; });
+    near[i] = *surface.memo().get<SharedNeighbors>({reach, kQueries}, [&] {
+      return make_neighbors(surface->points, reach, kQueries, kernels);
+    });
   });
-  return {surfaces[0]->surface, surfaces[1]->surface, near[0]->neighbors, near[1]->neighbors};
+  return {surfaces[0]->surface, surfaces[1]->surface, near[0], near[1]};
 }
 
 }  // namespace emtr

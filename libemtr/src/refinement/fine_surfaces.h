@@ -13,7 +13,7 @@ namespace emtr {
 struct FineSurfaces {
   SharedSurface source, target;  ///< with the same leaf
   /// Nearest points of each, within three leaves at least.
-  std::shared_ptr<const Neighbors> near_source, near_target;
+  SharedNeighbors near_source, near_target;
 
   double leaf() const { return source->leaf; }
 };

@@ -88,7 +88,7 @@ TEST(Problem, FeaturesAreOfTheBackendThatTheSettingNames) {
     definition.backend = backend;
     const auto expected =
         emtr::describe(problem->downsampled.source_dense, definition, problem->kernels, 1);
-    EXPECT_EQ(0, std::memcmp(problem->source_features.descriptors.data(),
+    EXPECT_EQ(0, std::memcmp(problem->source_features->descriptors.data(),
                              expected.descriptors.data(), 4 * expected.descriptors.size()));
     EXPECT_TRUE(emtr_test::solve(*problem)->registered);
   }
@@ -100,8 +100,8 @@ TEST(Problem, NormalsFaceTheSensorsWhereBothAreGiven) {
   const auto made = [&] { return emtr_test::problem_of(pair.source(), pair.target(), settings); };
   const auto shares = [](const emtr::Problem& problem) {  // of normals that look along +z
     std::size_t up = 0, all = 0;
-    for (std::size_t i = 2; i < problem.target_features.normals.size(); i += 3) {
-      const float z = problem.target_features.normals[i];
+    for (std::size_t i = 2; i < problem.target_features->normals.size(); i += 3) {
+      const float z = problem.target_features->normals[i];
       if (std::isnan(z) || std::abs(z) < 0.1f) continue;
       up += z > 0;
       ++all;
@@ -125,8 +125,8 @@ TEST(Problem, KeepsWhatEveryStageMade) {
   const auto p = emtr_test::problem_of(pair.source(), pair.target(), settings);
   EXPECT_EQ(&p->kernels, &emtr::select_kernels());
   EXPECT_EQ(p->pair.preprocessed_source->count, 3000u);
-  EXPECT_EQ(p->source_features.normals.size(), 3 * p->downsampled.source_dense.size());
-  EXPECT_EQ(p->target_features.descriptors.size(),
+  EXPECT_EQ(p->source_features->normals.size(), 3 * p->downsampled.source_dense.size());
+  EXPECT_EQ(p->target_features->descriptors.size(),
             emtr::kFeatureSize * p->downsampled.target_dense.size());
   ASSERT_GT(p->correspondences.size(), 10u);
   for (const emtr::Correspondence& c : p->correspondences) {

@@ -88,7 +88,7 @@ TEST_F(Remembered, NotByTheCloudAtAnotherScale) {
                                            preprocessed(pair.target()), settings);
   EXPECT_NE(half->downsampled.source_dense.x, usual->downsampled.source_dense.x);
   EXPECT_EQ(half->downsampled.source_dense.x, fresh->downsampled.source_dense.x);
-  EXPECT_EQ(half->source_features.normals.size(), fresh->source_features.normals.size());
+  EXPECT_EQ(half->source_features->normals.size(), fresh->source_features->normals.size());
 }
 
 TEST_F(Remembered, ALadderOfLeavesKeepsTheCounts) {

@@ -65,10 +65,10 @@ TEST(UserInput, OurOwnFeaturesGiveOurOwnCorrespondences) {
   const auto source = packed(own->downsampled.source_dense),
              target = packed(own->downsampled.target_dense);
   const auto provided = emtr_test::problem_of(
-      view(source, &own->source_features.descriptors, emtr::kFeatureSize),
-      view(target, &own->target_features.descriptors, emtr::kFeatureSize), settings);
+      view(source, &own->source_features->descriptors, emtr::kFeatureSize),
+      view(target, &own->target_features->descriptors, emtr::kFeatureSize), settings);
   ASSERT_TRUE(provided->user_keypoints);
-  EXPECT_TRUE(provided->source_features.descriptors.empty());
+  EXPECT_TRUE(provided->source_features->descriptors.empty());
   auto found = rows_of(*provided);
   for (auto& [s, t] : found) {
     s = provided->user_keypoints->source.rows[static_cast<std::size_t>(s)];
@@ -126,7 +126,7 @@ TEST(UserInput, TrueMatchesAmongFourTimesAsManyWrongOnesRegister) {
     settings.correspondence_count = rows.size() / 2;
     const auto problem = emtr_test::problem_of(pair.source_cloud(), pair.target_cloud(), settings);
     EXPECT_EQ(problem->correspondences.size(), 500u);
-    EXPECT_TRUE(problem->source_features.descriptors.empty());
+    EXPECT_TRUE(problem->source_features->descriptors.empty());
     EXPECT_EQ(problem->settings.correspondences, nullptr);  // nothing of the caller's is kept
     const auto result = emtr_test::solve(*problem);
     EXPECT_TRUE(result->registered) << preset;
@@ -195,16 +195,16 @@ TEST(UserInput, NormalsReplaceTheEstimatedOnes) {
         emtr_test::problem_of(pair.source_cloud(), pair.target_cloud(), settings);
     // Normals of the relief all point up, which is the source's y; estimated ones to the centroid.
     std::size_t up = 0, estimated_up = 0;
-    const auto& normals = problem->source_features.normals;
+    const auto& normals = problem->source_features->normals;
     for (std::size_t i = 0; i < normals.size(); i += 3) {
       up += normals[i + 1] > 0;
-      estimated_up += estimated->source_features.normals[i + 1] > 0;
+      estimated_up += estimated->source_features->normals[i + 1] > 0;
       const double length = std::hypot(normals[i], normals[i + 1], normals[i + 2]);
       ASSERT_NEAR(length, 1, 1e-5);
     }
     EXPECT_EQ(up, normals.size() / 3);
     EXPECT_LT(estimated_up, normals.size() / 3);
-    ASSERT_EQ(problem->source_features.descriptors.size(),
+    ASSERT_EQ(problem->source_features->descriptors.size(),
               emtr::kFeatureSize * problem->downsampled.source_dense.size());
     EXPECT_EQ(problem->surfaces->source().normals.x, problem->downsampled.source_normals.x);
     const auto result = emtr_test::solve(*problem);
@@ -220,7 +220,7 @@ TEST(UserInput, NormalsOfOneCloudAloneAreOrientedAsTheEstimatedOnes) {
   const emtr::Settings settings = emtr::preset("default");
   const auto problem = emtr_test::problem_of(source, pair.target_cloud(), settings);
   const emtr::Cloud& p = problem->downsampled.source_dense;
-  const auto& n = problem->source_features.normals;
+  const auto& n = problem->source_features->normals;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (n[3 * i] == n[3 * i]) {
       ASSERT_LE(p.x[i] * n[3 * i] + p.y[i] * n[3 * i + 1] + p.z[i] * n[3 * i + 2], 1e-6);
@@ -243,11 +243,11 @@ TEST(UserInput, PointsWithoutANormalStayWithout) {
   std::size_t without = 0;
   for (std::size_t i = 0; i < problem->downsampled.target_dense.size(); ++i) {
     const double x = problem->downsampled.target_dense.x[i] * scale + center;
-    const bool none = std::isnan(problem->target_features.normals[3 * i]);
+    const bool none = std::isnan(problem->target_features->normals[3 * i]);
     if (std::abs(x + 0.5) > 0.05) {
       EXPECT_EQ(none, x < -0.5) << x;
     }
-    EXPECT_EQ(none, std::isnan(problem->target_features.descriptors[emtr::kFeatureSize * i]));
+    EXPECT_EQ(none, std::isnan(problem->target_features->descriptors[emtr::kFeatureSize * i]));
     without += none;
   }
   EXPECT_GT(without, 100u);
