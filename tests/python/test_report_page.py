@@ -141,7 +141,10 @@ def test_costs_are_rendered(tmp_path):
                                  "seconds": {"normalization": QUARTILES}}],
                    "structures": [{"preset": "paper", "threads": 1, "ratio": 12.34,
                                    "same_bits": False,
-                                   "evolution": {"grid": QUARTILES, "kdtree": QUARTILES}}]},
+                                   "evolution": {"grid": QUARTILES, "kdtree": QUARTILES}}],
+                   "limits": [{"preset": "paper", "total": 0.1,
+                               "rows": [{"kind": "bytes", "amount": 1920000, "least": 0.0005,
+                                         "stage": "normalization", "reached": 0.002}]}]},
         "scaling": {"slope": 0.987, "slope_from": 1000,
                     "sizes": [{"points": 5000, "stages": {"normalization": 0.5}, "seconds": 1.5,
                                "peak_bytes": 3e6, "memory_over_input": 2.5, "E_R": 0.25}]},
@@ -159,7 +162,10 @@ def test_costs_are_rendered(tmp_path):
             keep(part, values[part.section])
     text = text_of(parts, tmp_path)
     for expected in (
-        "| `paper` | 1 | 20.0 |", "| 12.3 | **not the same bits** |", "![time and memory",
+        "| `paper` | 1 | 20.0 |",
+        "| `paper` | bytes | 1,920,000 | normalization | 0.50 | 2.00 | 4.0 |",
+        "| `paper` | all of these |  | the whole | 0.50 | 100.00 | 200.0 |",
+        "| 12.3 | **not the same bits** |", "![time and memory",
         "](scaling.png)", "| 5,000 | 500.0 | 1.500 | 3 | 2.50 | 0.25 |", "power 0.99",
         "| 600 | random | 600.0 | 4.0 |", "| **p** | 2.5 |", "| `emtr::f` | 1.2 |",
     ):  # fmt: skip

@@ -3,7 +3,10 @@
 import math
 
 import numpy as np
-from emtr_bench.stages import measure
+import shapes
+from emtr_bench.stages import limits, measure
+
+import pyemtr
 
 
 def test_stages_alternate_and_tell_whether_the_bits_agree(monkeypatch):
@@ -31,3 +34,17 @@ def test_stages_alternate_and_tell_whether_the_bits_agree(monkeypatch):
         lambda *a, neighbors, **k: Result(1.0, pose_values[neighbors]),
     )  # fmt: skip
     assert not measure.compare_structures(None, None, "paper", 2, 1)["same_bits"]
+
+
+def test_limits_count_the_work_and_take_the_stage_that_does_it():
+    pair = shapes.make_pair(1, count=2000)
+    source, target = pair.source, pair.target
+    found = limits.limits(source, target, "fast", 1)
+    rows = {row["kind"]: row for row in found["rows"]}
+    result = pyemtr.register(source, target, preset="fast", threads=1)
+    assert rows["bytes"]["amount"] == 24 * (len(source) + len(target))
+    assert rows["descriptor pairs"]["amount"] == result.dense_source * result.dense_target
+    assert rows["queries"]["amount"] == sum(result.queries.values())
+    for kind, row in rows.items():
+        assert row["least"] == row["amount"] / found["per_second"][kind] > 0
+        assert 0 < row["reached"] <= found["total"]

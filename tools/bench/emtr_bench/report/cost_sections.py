@@ -7,6 +7,15 @@ from typing import Any
 from ..peers.summary import quartiles as quartiles_of
 from .markdown import number, quartiles, table
 
+_LIMITS = (
+    "The physical limits, one thread: work that can be counted, the least milliseconds that this "
+    "machine could need for it, and those of the stage that does it, with all else that it does. "
+    "Least: reading the bytes once; the products of all pairs of descriptors by numpy's BLAS in "
+    "single precision; one read at a random place of a table of 1 MB for each nearest neighbor."
+)
+_LIMIT_HEADS = ("preset", "work", "amount", "stage", "least, ms", "reached, ms",
+                "reached / least")  # fmt: skip
+
 
 def stages_section(value: dict[str, Any]) -> str:
     source, target = value["points"]
@@ -31,8 +40,23 @@ def stages_section(value: dict[str, Any]) -> str:
                 for row in value["structures"]
             ],
         ),
+        _LIMITS,
+        table(_LIMIT_HEADS, [row for found in value["limits"] for row in _limits(found)]),
     ]  # fmt: skip
     return "\n\n".join(parts)
+
+
+def _limits(found: dict[str, Any]) -> list[list[str]]:
+    rows = [
+        [f"`{found['preset']}`", row["kind"], f"{row['amount']:,}", row["stage"],
+         number(1e3 * row["least"], 2), number(1e3 * row["reached"], 2),
+         number(row["reached"] / row["least"], 1)]
+        for row in found["rows"]
+    ]  # fmt: skip
+    least, total = sum(row["least"] for row in found["rows"]), found["total"]
+    rows.append([f"`{found['preset']}`", "all of these", "", "the whole", number(1e3 * least, 2),
+                 number(1e3 * total, 2), number(total / least, 1)])  # fmt: skip
+    return rows
 
 
 def scaling_section(value: dict[str, Any], plot: str) -> str:

@@ -11,7 +11,11 @@ from ..pair_arguments import WHERE_ELSE, add_pair_options
 STRUCTURES = ("grid", "kdtree")
 EPILOG = """The first table has the wall seconds of each stage, for each preset and number of
 threads. The second has those of the evolution with the candidate grid and with pcl::KdTreeFLANN
-(neighbors=grid and kdtree), in turns, and tells whether both found the same bits.
+(neighbors=grid and kdtree), in turns, and tells whether both found the same bits. The third has
+the work that can be counted, one thread: the bytes of the clouds, the pairs of descriptors and the
+nearest-neighbor queries; the least milliseconds that this machine could need for each, which are
+those of the plainest program by numpy that reads so many bytes, multiplies so many descriptors or
+reads so often at a random place of a table; and those of the stage that does it.
 
 exit code: 0; 1 when the bits were not the same; 2 when nothing could be run."""
 

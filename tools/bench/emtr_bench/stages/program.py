@@ -20,6 +20,7 @@ from ..peers.tables import number, spread
 from ..runner import moved
 from ..sample import sample_clouds
 from .arguments import STRUCTURES
+from .limits import limits
 from .measure import compare_structures, profile
 
 SMOKE_POINTS = 1500
@@ -87,8 +88,10 @@ def _measure(
         for preset in presets
     ]  # fmt: skip
     print(f"{_structure_table(structures)}\n", flush=True)
+    least = [limits(source, target, preset, arguments.repetitions) for preset in presets]
+    print(f"{_limit_table(least)}\n", flush=True)
     return {"pair": name, "points": [len(source), len(target)], "profiles": profiles,
-            "structures": structures}  # fmt: skip
+            "structures": structures, "limits": least}  # fmt: skip
 
 
 def _profile_table(profiles: list[dict[str, Any]]) -> str:
@@ -115,4 +118,14 @@ def _structure_table(rows: list[dict[str, Any]]) -> str:
         bits = "the same bits" if row["same_bits"] else "NOT THE SAME BITS"
         lines.append(f"{row['preset']}, {row['threads']} threads: {', '.join(parts)}, "
                      f"ratio {number(row['ratio'], 1)}, {bits}")  # fmt: skip
+    return "\n".join(lines)
+
+
+def _limit_table(all_limits: list[dict[str, Any]]) -> str:
+    lines = [f"{'one thread':<16}{'work':<18}{'amount':>14}{'least ms':>12}{'ms':>10}  of stage"]
+    for found in all_limits:
+        for row in found["rows"]:
+            least, reached = (number(1e3 * row[name], 2) for name in ("least", "reached"))
+            lines.append(f"{found['preset']:<16}{row['kind']:<18}{row['amount']:>14,}{least:>12}"
+                         f"{reached:>10}  {row['stage']}")  # fmt: skip
     return "\n".join(lines)
