@@ -61,11 +61,15 @@ void CandidateSearch::run_fallback_search() {
 
 void CandidateSearch::add_rivals(CandidateSet& candidates) const {
   if (!settings_.rivals) return;
-  const auto best = [&] { return candidates.ranked().front().pose; };
+  constexpr std::size_t kMost = 8;  // of one kind; a rival below these is none
   ThreadTeam::with(threads_, [&](ThreadTeam& team) {
-    candidates.add(admissible(quarter_rotated_rivals(surfaces_, best()), prior_), team);
-    candidates.add(admissible(rotated_rivals(surfaces_, best(), team), prior_), team);
-    candidates.add(admissible(translated_rivals(surfaces_, best(), team), prior_), team);
+    const auto best = [&] { return candidates.ranked().front().pose; };
+    const auto add = [&](const std::vector<Rigid>& rivals) {
+      candidates.add(admissible(rivals, prior_), team, kMost);
+    };
+    add(quarter_rotated_rivals(surfaces_, best()));
+    add(rotated_rivals(surfaces_, best(), team));
+    add(translated_rivals(surfaces_, best(), team));
   });
 }
 

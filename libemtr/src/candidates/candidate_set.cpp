@@ -1,8 +1,8 @@
 #include "candidates/candidate_set.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "candidates/quick_scores.h"
 #include "geometry/pose_distance.h"
 
 namespace emtr {
@@ -24,28 +24,20 @@ bool from_one_place(const SurfacePair& surfaces, const Rigid& pose) {
 
 std::vector<Rigid> CandidateSet::shortlist(const std::vector<Rigid>& poses,
                                            std::size_t maximum_count, ThreadTeam& team) const {
-  std::vector<double> quick(poses.size());
-  std::vector<Ranking::Scratch> scratch(team.size());
-  team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-    quick[i] =
-        surfaces_.ranking().evaluate(poses[i], scratch[thread], SurfacePair::kQuickStep).score;
-  });
-  std::vector<std::size_t> order(poses.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return quick[a] > quick[b]; });
   std::vector<Rigid> sorted;
   sorted.reserve(poses.size());
-  for (const std::size_t i : order) sorted.push_back(poses[i]);
+  for (const std::size_t i : order_by_quick_scores(surfaces_, poses, maximum_count, team))
+    sorted.push_back(poses[i]);
   return suppress_non_maxima(sorted, kDuplicatePose, maximum_count);
 }
 
-void CandidateSet::add(const std::vector<Rigid>& poses, ThreadTeam& team) {
-  std::vector<std::optional<Candidate>> candidates(poses.size());
+void CandidateSet::add(const std::vector<Rigid>& poses, ThreadTeam& team, std::size_t most) {
   std::vector<Scratch> scratch(team.size());
+  const std::vector<Approached> distinct = approach(poses, most, scratch, team);
+  std::vector<std::optional<Candidate>> candidates(distinct.size());
   try {
-    team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-      candidates[i] = evaluate(poses[i], scratch[thread]);
+    team.parallel(distinct.size(), [&](std::size_t i, std::size_t thread) {
+      candidates[i] = evaluate(distinct[i], scratch[thread]);
     });
   } catch (const Cancelled&) {
     merge(candidates);
@@ -62,14 +54,31 @@ void CandidateSet::merge(const std::vector<std::optional<Candidate>>& candidates
   ranked_ = suppress_non_maxima(ranked_, kDuplicatePose, ranked_.size());
 }
 
-Candidate CandidateSet::evaluate(const Rigid& start, Scratch& scratch) const {
-  const Ranking& ranking = surfaces_.ranking();
-  const auto quick = [&](const Rigid& pose) {
-    return ranking.evaluate(pose, scratch.ranking, SurfacePair::kQuickStep).score;
-  };
-  Rigid pose = surfaces_.local_refinement()(start, prior_, scratch.refinement).pose;
-  if (quick(pose) < quick(start)) pose = start;  // refinement can run off along a plane
-  return score(pose, scratch.ranking);
+std::vector<CandidateSet::Approached> CandidateSet::approach(const std::vector<Rigid>& starts,
+                                                             std::size_t most,
+                                                             std::vector<Scratch>& scratch,
+                                                             ThreadTeam& team) const {
+  std::vector<Approached> out(starts.size());
+  team.parallel(starts.size(), [&](std::size_t i, std::size_t thread) {
+    Scratch& s = scratch[thread];
+    out[i] = {starts[i], surfaces_.local_refinement().approach(starts[i], prior_, s.refinement), 0};
+    out[i].quick_score = quick_score(surfaces_, out[i].approached.pose, s.ranking);
+  });
+  std::stable_sort(out.begin(), out.end(), [](const Approached& a, const Approached& b) {
+    return a.quick_score > b.quick_score;
+  });
+  return suppress_non_maxima(out, kDuplicatePose, most);
+}
+
+Candidate CandidateSet::evaluate(const Approached& pose, Scratch& scratch) const {
+  Rigid end = surfaces_.local_refinement()
+                  .finish(pose.start, pose.approached, prior_, scratch.refinement)
+                  .pose;
+  // Refinement can run off along a plane.
+  if (quick_score(surfaces_, end, scratch.ranking) <
+      quick_score(surfaces_, pose.start, scratch.ranking))
+    end = pose.start;
+  return score(end, scratch.ranking);
 }
 
 Candidate CandidateSet::score(const Rigid& pose, Ranking::Scratch& scratch) const {

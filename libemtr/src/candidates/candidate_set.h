@@ -27,6 +27,9 @@ inline const Rigid& pose_of(const Candidate& candidate) { return candidate.pose;
 /// refinement of each, then the fine score. No two of them are the same pose; the best is first.
 class CandidateSet {
  public:
+  /// The best of a fallback search was among the first twenty of two hundred on 21 real pairs.
+  static constexpr std::size_t kMost = 40;
+
   /// Both must outlive the set. With a prior all poses added are to be admissible; refinement then
   /// keeps them so.
   CandidateSet(const SurfacePair& surfaces, const Prior* prior)
@@ -38,8 +41,9 @@ class CandidateSet {
                                ThreadTeam& team) const;
 
   /// Refines and scores the poses and ranks them among the others; when cancelled, those that were
-  /// done by then.
-  void add(const std::vector<Rigid>& poses, ThreadTeam& team);
+  /// done by then. The first part of the refinement, of few queries, tells which of them end in
+  /// one place, and which do not deserve the rest: all but the `most` best by their quick scores.
+  void add(const std::vector<Rigid>& poses, ThreadTeam& team, std::size_t most = kMost);
 
   /// Scores a pose as it is.
   Candidate score(const Rigid& pose, Ranking::Scratch& scratch) const;
@@ -54,7 +58,17 @@ class CandidateSet {
     Ranking::Scratch ranking;
     LocalRefinement::Scratch refinement;
   };
-  Candidate evaluate(const Rigid& start, Scratch& scratch) const;
+  /// A start after the first part of its refinement, which tells duplicates.
+  struct Approached {
+    Rigid start;
+    LocalRefinementResult approached;
+    double quick_score;
+  };
+  friend const Rigid& pose_of(const Approached& pose) { return pose.approached.pose; }
+
+  std::vector<Approached> approach(const std::vector<Rigid>& starts, std::size_t most,
+                                   std::vector<Scratch>& scratch, ThreadTeam& team) const;
+  Candidate evaluate(const Approached& pose, Scratch& scratch) const;
   void merge(const std::vector<std::optional<Candidate>>& candidates);
 
   const SurfacePair& surfaces_;

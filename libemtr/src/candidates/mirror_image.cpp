@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "candidates/changed_source.h"
+#include "candidates/quick_scores.h"
 #include "candidates/scene_axes.h"
 
 namespace emtr {
@@ -38,9 +39,7 @@ std::optional<Viewpoint> mirrored(std::optional<Viewpoint> viewpoint) {
 /// Returns the reflections of the pose that fit to some degree before any refinement.
 std::vector<Rigid> promising_reflections(const SurfacePair& surfaces, const Rigid& pose) {
   Ranking::Scratch scratch;
-  const auto quick = [&](const Rigid& p) {
-    return surfaces.ranking().evaluate(p, scratch, SurfacePair::kQuickStep).score;
-  };
+  const auto quick = [&](const Rigid& p) { return quick_score(surfaces, p, scratch); };
   const double enough = kPromising * std::max(quick(pose), 0.0);
   const SceneAxes scene = scene_axes(surfaces, pose);
   std::vector<Rigid> out;

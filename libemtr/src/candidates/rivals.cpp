@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "candidates/quick_scores.h"
 #include "candidates/scene_axes.h"
 #include "geometry/pose_distance.h"
 #include "geometry/rotation_vector.h"
@@ -22,17 +23,6 @@ Rigid rotation_about(const Vector3d& axis, double cosine, double sine, const Vec
   out.R = cosine * Matrix3d::Identity() + sine * cross_matrix(axis) +
           (1 - cosine) * axis * axis.transpose();
   out.t = through - out.rotate(through);
-  return out;
-}
-
-/// Returns the score of each pose by a few points.
-std::vector<double> quick_scores(const SurfacePair& surfaces, const std::vector<Rigid>& poses,
-                                 ThreadTeam& team) {
-  std::vector<Ranking::Scratch> scratch(team.size());
-  std::vector<double> out(poses.size());
-  team.parallel(poses.size(), [&](std::size_t i, std::size_t thread) {
-    out[i] = surfaces.ranking().evaluate(poses[i], scratch[thread], SurfacePair::kQuickStep).score;
-  });
   return out;
 }
 
@@ -83,7 +73,7 @@ std::vector<Rigid> rotated_rivals(const SurfacePair& surfaces, const Rigid& best
   for (const Vector3d& axis : scene.axes)
     for (const double angle : angles_of_folds())
       poses.push_back(rotation_about(axis, std::cos(angle), std::sin(angle), scene.mean) * best);
-  const std::vector<double> scores = quick_scores(surfaces, poses, team);
+  const std::vector<double> scores = promising_quick_scores(surfaces, poses, 0, kPromising, team);
   std::vector<Scored> found;
   for (std::size_t i = 1; i < poses.size(); ++i)
     if (scores[i] > kPromising * std::max(scores[0], 0.0)) found.push_back({scores[i], poses[i]});
@@ -104,7 +94,8 @@ std::vector<Rigid> translated_rivals(const SurfacePair& surfaces, const Rigid& b
       poses.push_back(best);
       poses.back().t += k * step * axis;
     }
-  const std::vector<double> scores = quick_scores(surfaces, poses, team);
+  const std::vector<double> scores =
+      promising_quick_scores(surfaces, poses, static_cast<std::size_t>(steps), kPromising, team);
   std::vector<Scored> found;
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
     const std::size_t middle =

@@ -27,6 +27,7 @@ SurfacePair::SurfacePair(const SharedSurface& source, const SharedSurface& targe
       local_refinement_(source_, target_, nullptr, near_target_.get(), coarse_refinement(),
                         kernels) {
   ranking_.fit().add_subset(kQuickStep);
+  ranking_.fit().add_subset(kQuickestStep);
 }
 
 Surface surface(const Cloud& cloud, const Features& features, double leaf) {

@@ -13,7 +13,8 @@ namespace emtr {
 /// Both dense clouds as surfaces, with what refines and scores candidates on them.
 class SurfacePair {
  public:
-  static constexpr std::size_t kQuickStep = 8;  ///< a shortlist looks at every eighth point
+  static constexpr std::size_t kQuickStep = 8;      ///< quick scores look at every eighth point
+  static constexpr std::size_t kQuickestStep = 32;  ///< and before them at every 32nd
 
   /// Shares the surfaces. Where a viewpoint is not known, free space is not taken into account.
   /// Throws std::invalid_argument as SurfaceFit does.

@@ -78,27 +78,54 @@ void LocalRefinement::accumulate(const State& at, Scratch& s, ThreadTeam& team,
 
 LocalRefinementResult LocalRefinement::operator()(const Rigid& start, const Prior* prior,
                                                   Scratch& s, int threads) const {
-  LocalRefinementResult out;
-  const auto body = [&](ThreadTeam& team) { out = run(start, prior, s, team); };
+  LocalRefinementResult out = started(start);
+  const auto body = [&](ThreadTeam& team) {
+    run(Part::First, start, prior, s, team, out);
+    run(Part::Second, start, prior, s, team, out);
+  };
   ThreadTeam::with(threads, std::ref(body));
   return out;
 }
 
-LocalRefinementResult LocalRefinement::run(const Rigid& start, const Prior* prior, Scratch& s,
-                                           ThreadTeam& team) const {
+LocalRefinementResult LocalRefinement::approach(const Rigid& start, const Prior* prior,
+                                                Scratch& s) const {
+  LocalRefinementResult out = started(start);
+  const auto body = [&](ThreadTeam& team) { run(Part::First, start, prior, s, team, out); };
+  ThreadTeam::with(1, std::ref(body));
+  return out;
+}
+
+LocalRefinementResult LocalRefinement::finish(const Rigid& start,
+                                              const LocalRefinementResult& approached,
+                                              const Prior* prior, Scratch& s) const {
+  LocalRefinementResult out = approached;
+  const auto body = [&](ThreadTeam& team) { run(Part::Second, start, prior, s, team, out); };
+  ThreadTeam::with(1, std::ref(body));
+  return out;
+}
+
+LocalRefinementResult LocalRefinement::started(const Rigid& start) const {
   double T[16];
   to_matrix(start, T);
   require(is_rigid(T), "start: expected a finite rigid pose");
+  LocalRefinementResult out;
+  out.pose = start;
+  out.end = Termination::IterationLimit;
+  out.both_ways = settings_.both_ways;
+  return out;
+}
+
+void LocalRefinement::run(Part part, const Rigid& start, const Prior* prior, Scratch& s,
+                          ThreadTeam& team, LocalRefinementResult& out) const {
   const std::size_t source_blocks = matcher_.source().size() / kBlock + 1,
                     target_blocks = matcher_.target().size() / kBlock + 1;
   s.matches.grow((source_blocks + target_blocks) * kBlock);
 
-  LocalRefinementResult out;
-  out.both_ways = settings_.both_ways;
   const double last = settings_.last_scale * leaf_;
-  State at{start, settings_.first_scale * leaf_, settings_.first_scale <= settings_.last_scale};
-  out.end = Termination::IterationLimit;
-  while (out.iterations < settings_.iterations && out.end == Termination::IterationLimit) {
+  const bool second = part == Part::Second;
+  State at{out.pose, second ? last : settings_.first_scale * leaf_, second};
+  while ((second || at.scale > last) && out.iterations < settings_.iterations &&
+         out.end == Termination::IterationLimit) {
     accumulate(at, s, team, out);
     ++out.iterations;
     const Vector6 step = solve(out.sums, at.pose, prior);
@@ -109,12 +136,10 @@ LocalRefinementResult LocalRefinement::run(const Rigid& start, const Prior* prio
     }
     at.pose = moved(at.pose, step.data());
     if (prior) at.pose = prior->project(at.pose);
-    if (at.all_queries && step.norm() < settings_.step * leaf_) out.end = Termination::Converged;
+    if (second && step.norm() < settings_.step * leaf_) out.end = Termination::Converged;
     at.scale = std::max(last, at.scale * settings_.shrink);
-    at.all_queries = at.all_queries || at.scale <= last;
   }
   out.pose = at.pose;
-  return out;
 }
 
 }  // namespace emtr

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "candidates/candidate_set.h"
+#include "candidates/quick_scores.h"
 #include "candidates/scene.h"
 
 namespace {
@@ -26,7 +27,7 @@ class CandidateSet : public testing::Test {
 
   static double quick(const Rigid& pose) {
     emtr::Ranking::Scratch scratch;
-    return surfaces().ranking().evaluate(pose, scratch, emtr::SurfacePair::kQuickStep).score;
+    return emtr::quick_score(surfaces(), pose, scratch);
   }
 
   /// Good ones, duplicates of them, and many that are wrong.
@@ -181,6 +182,15 @@ TEST_F(CandidateSet, WhatComesLaterIsRankedAmongWhatIsThere) {
   EXPECT_EQ(candidate_set.ranked().size(), before + 1);
   add(candidate_set, {});
   EXPECT_EQ(candidate_set.ranked().size(), before + 1);
+}
+
+TEST_F(CandidateSet, AddsTheBestAlone) {
+  emtr::CandidateSet all(surfaces(), nullptr), three(surfaces(), nullptr);
+  add(all, poses());
+  ThreadTeam::with(1, [&](ThreadTeam& team) { three.add(poses(), team, 3); });
+  ASSERT_EQ(three.ranked().size(), 3u);
+  EXPECT_TRUE(same_bits(three.ranked().front().pose, all.ranked().front().pose));
+  EXPECT_GT(all.ranked().size(), 15u);
 }
 
 TEST_F(CandidateSet, IsTheSameForAnyThreads) {

@@ -87,6 +87,32 @@ TEST(LocalRefinement, CoarseComesBackFromTenDegrees) {
   }
 }
 
+TEST(LocalRefinement, TwoPartsEndWhereTheWholeDoes) {
+  const emtr::SharedSurface source(scans().source(0.035)), target(scans().target(0.035));
+  const auto near = emtr::make_neighbors(target->points, 4 * 0.035f, 1e4, emtr::select_kernels());
+  const LocalRefinement refine(source, target, nullptr, near.get(), emtr::coarse_refinement(),
+                               emtr::select_kernels());
+  LocalRefinement::Scratch scratch;
+  for (const double degrees : {1.0, 7.0, 60.0, 180.0}) {
+    const Rigid start = scans().off({degrees, 5, -5}, {0.03, 0, 0.03});
+    const LocalRefinementResult whole = refine(start, nullptr, scratch),
+                                first = refine.approach(start, nullptr, scratch),
+                                both = refine.finish(start, first, nullptr, scratch);
+    EXPECT_EQ(bits(both), bits(whole));
+    EXPECT_EQ(both.end, whole.end);
+    EXPECT_EQ(both.iterations, whole.iterations);
+    EXPECT_EQ(first.iterations, 3);  // 4, 2.4 and 1.44 leaves, and then one
+    EXPECT_NE(bits(first), bits(whole));
+  }
+  const Rigid far = scans().off({0, 0, 0}, {50, 0, 0});  // nothing is near
+  const LocalRefinementResult none =
+      refine.finish(far, refine.approach(far, nullptr, scratch), nullptr, scratch);
+  EXPECT_EQ(none.end, Termination::TooFewInliers);
+  LocalRefinementResult start;
+  start.pose = far;
+  EXPECT_EQ(bits(none), bits(start));
+}
+
 TEST(LocalRefinement, OfItsOwnResultMovesNoMore) {
   const Refiner refiner(scans().source(0.02), scans().target(0.02), LocalRefinementSettings());
   const LocalRefinementResult once = refiner(scans().off({0.5, 0.5, 0}, {0, 0.005, 0}));
