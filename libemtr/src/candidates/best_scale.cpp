@@ -18,6 +18,7 @@ using Matrix7 = Eigen::Matrix<double, 7, 7>;
 constexpr double kLeast = 0.75, kMost = 1.33;  // of the factor
 constexpr double kNegligible = 0.05;           // of its logarithm
 constexpr int kIterations = 15;
+constexpr std::size_t kPoints = 1500;                                // that look for a match
 constexpr double kFirstCutOff = 4, kLastCutOff = 1, kShrink = 0.85;  // leaves
 constexpr double kDamping = 1e-4;  // of the sum of weights: a plane has no scale to be found
 
@@ -35,9 +36,9 @@ Surface scaled(const Surface& surface, double factor) {
 
 /// Makes one step: the matches of the source's points, Tukey's weights, and the normal equations of
 /// a small rotation, a translation, and the logarithm of the factor.
-void step(const SurfacePair& surfaces, double cut_off, const Kernels& kernels, Similarity& at) {
-  const Surface& source = surfaces.source();
-  const Cloud moved = scaled(source, at.scale).points;
+void step(const Cloud& source, const SurfacePair& surfaces, double cut_off, const Kernels& kernels,
+          Similarity& at) {
+  const Cloud moved = scale_cloud(source, at.scale);
   const std::size_t n = moved.size();
   Cloud y;
   y.resize(n);
@@ -76,8 +77,10 @@ void step(const SurfacePair& surfaces, double cut_off, const Kernels& kernels, S
 Rescaled best_scale(const SurfacePair& surfaces, const Rigid& pose, const Kernels& kernels) {
   Similarity at{1, pose};
   double cut_off = kFirstCutOff;
+  const Surface& source = surfaces.source();
+  const Cloud some = every_nth(source, 1 + source.points.size() / kPoints).points;
   for (int i = 0; i < kIterations; ++i) {
-    step(surfaces, cut_off * surfaces.target().leaf, kernels, at);
+    step(some, surfaces, cut_off * surfaces.target().leaf, kernels, at);
     cut_off = std::max(kLastCutOff, kShrink * cut_off);
   }
   Rescaled out;
