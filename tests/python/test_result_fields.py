@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 from dataclasses import fields
 from typing import Any
@@ -58,8 +59,8 @@ def test_the_class_declares_the_types_of_the_table() -> None:
 
 
 def test_the_docstring_describes_each_attribute() -> None:
-    text = pyemtr.Result.__doc__.split("Attributes:")[1]
-    heads = re.findall(r"^ {8}(\w[\w, ]*):", text, re.MULTILINE)
+    text = inspect.getdoc(pyemtr.Result).split("Attributes:")[1]  # Python 3.13 dedents it
+    heads = re.findall(r"^ {4}(\w[\w, ]*):", text, re.MULTILINE)
     described = [name for head in heads for name in head.split(", ")]
     assert sorted(described) == sorted(table())
 

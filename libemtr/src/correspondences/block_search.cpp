@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "correspondences/nearest_descriptors.h"
@@ -31,12 +32,10 @@ class BlockSearch {
         bound_(bound_of(std::max(rows.largest_norm(), columns.largest_norm()), dimension)),
         forward_(rows.padded(), k),
         backward_(threads),
-        known_(columns.padded(), std::numeric_limits<float>::infinity()),
-        first_(rows.size()) {
-    choose_first_blocks();
-  }
+        known_(columns.padded(), std::numeric_limits<float>::infinity()) {}
 
   void run(ThreadTeam& team) {
+    choose_first_blocks(team);
     team.parallel(rows_.size(), [&](std::size_t row, std::size_t thread) {
       for (const std::uint32_t column : first_[row]) compare(row, column, lists_of(thread));
     });
@@ -66,28 +65,34 @@ class BlockSearch {
   }
 
   /// Each block with the nearest ones of the other side: then most lists are nearly right at once.
-  void choose_first_blocks() {
-    const auto nearest = [](const PrincipalBlocks& a, std::size_t i, const PrincipalBlocks& b) {
-      std::vector<std::pair<float, std::uint32_t>> by_distance(b.size());
-      for (std::size_t j = 0; j < b.size(); ++j)
-        by_distance[j] = {a.squared_distance(i, b, j), static_cast<std::uint32_t>(j)};
-      const std::size_t count = std::min(kFirstBlocks, b.size());
-      std::partial_sort(by_distance.begin(),
-                        by_distance.begin() + static_cast<std::ptrdiff_t>(count),
-                        by_distance.end());
-      by_distance.resize(count);
-      return by_distance;
-    };
-    for (std::size_t row = 0; row < rows_.size(); ++row)
-      for (const auto& [distance, column] : nearest(rows_, row, columns_))
-        first_[row].push_back(column);
+  void choose_first_blocks(ThreadTeam& team) {
+    first_ = nearest_blocks(rows_, columns_, team);
+    const auto of_columns = nearest_blocks(columns_, rows_, team);
     for (std::size_t column = 0; column < columns_.size(); ++column)
-      for (const auto& [distance, row] : nearest(columns_, column, rows_))
+      for (const std::uint32_t row : of_columns[column])
         first_[row].push_back(static_cast<std::uint32_t>(column));
     for (std::vector<std::uint32_t>& columns : first_) {
       std::sort(columns.begin(), columns.end());
       columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
     }
+  }
+
+  /// Returns the kFirstBlocks of `b` that are nearest to each block of `a`.
+  static std::vector<std::vector<std::uint32_t>> nearest_blocks(const PrincipalBlocks& a,
+                                                                const PrincipalBlocks& b,
+                                                                ThreadTeam& team) {
+    std::vector<std::vector<std::uint32_t>> out(a.size());
+    const std::size_t count = std::min(kFirstBlocks, b.size());
+    team.parallel(a.size(), [&](std::size_t i, std::size_t) {
+      std::vector<std::pair<float, std::uint32_t>> by_distance(b.size());
+      for (std::size_t j = 0; j < b.size(); ++j)
+        by_distance[j] = {a.squared_distance(i, b, j), static_cast<std::uint32_t>(j)};
+      std::partial_sort(by_distance.begin(),
+                        by_distance.begin() + static_cast<std::ptrdiff_t>(count),
+                        by_distance.end());
+      for (std::size_t j = 0; j < count; ++j) out[i].push_back(by_distance[j].second);
+    });
+    return out;
   }
 
   void compare(std::size_t row, std::size_t column, Nearest& mine) {
@@ -153,9 +158,15 @@ NearestBothWays find_nearest_descriptors(const DescriptorRows& source,
   if (source.dimension < kPrincipal || source_rows.size() * target_rows.size() < kFewPairs)
     return compare_all();
   const PrincipalBasis basis(source, source_rows, target, target_rows);
-  const PrincipalBlocks rows(source, source_rows, basis), columns(target, target_rows, basis);
-  if (!rows.bounds() || !columns.bounds()) return compare_all();
-  BlockSearch search(rows, columns, source.dimension, k, kernels,
+  std::optional<PrincipalBlocks> rows, columns;
+  parallel_for(2, threads, [&](std::size_t i) {
+    if (i == 0)
+      rows.emplace(source, source_rows, basis);
+    else
+      columns.emplace(target, target_rows, basis);
+  });
+  if (!rows->bounds() || !columns->bounds()) return compare_all();
+  BlockSearch search(*rows, *columns, source.dimension, k, kernels,
                      static_cast<std::size_t>(threads));
   ThreadTeam::with(threads, [&](ThreadTeam& team) { search.run(team); });
   return search.result();

@@ -8,7 +8,7 @@
 namespace emtr {
 namespace {
 
-constexpr std::size_t kSample = 2000;  // descriptors of a side that the basis is made of
+constexpr std::size_t kSample = 500;  // descriptors of a side that the basis is made of
 constexpr Eigen::Index kSplitAxes = 8;
 constexpr float kLargestNorm = 1e15f;  // whose square is finite
 
@@ -129,13 +129,10 @@ PrincipalBlock PrincipalBlocks::block(std::size_t b) const {
 
 float PrincipalBlocks::squared_distance(std::size_t b, const PrincipalBlocks& other,
                                         std::size_t o) const {
-  float sum = 0;
-  for (std::size_t d = 0; d < kPrincipal; ++d) {
-    const float gap = std::max(other.low_[o * kPrincipal + d] - high_[b * kPrincipal + d],
-                               low_[b * kPrincipal + d] - other.high_[o * kPrincipal + d]);
-    if (gap > 0) sum += gap * gap;
-  }
-  return sum;
+  using Coordinates = Eigen::Map<const Eigen::Array<float, kPrincipal, 1>>;
+  const Coordinates low(&low_[b * kPrincipal]), high(&high_[b * kPrincipal]),
+      other_low(&other.low_[o * kPrincipal]), other_high(&other.high_[o * kPrincipal]);
+  return (other_low - high).max(low - other_high).max(0.0f).square().sum();
 }
 
 }  // namespace emtr

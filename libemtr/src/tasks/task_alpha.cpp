@@ -4,6 +4,7 @@
 
 #include "geometry/transform.h"
 #include "kernels/search_kernels.h"
+#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
@@ -22,12 +23,17 @@ TaskAlpha::TaskAlpha(const DownsampledClouds& downsampled, const DenseReferences
           std::max(settings.scale_dense * downsampled.leaf_dense, references.least_scale)) {
   const auto scale_sparse = static_cast<float>(scale_sparse_),
              scale_dense = static_cast<float>(scale_dense_);
-  target_sparse_ = make_neighbors(downsampled.target_sparse, scale_sparse,
-                                  downsampled.source_sparse.size(), EMTR_RESOLUTION_SPARSE);
-  target_dense_ = make_neighbors(references.target, scale_dense, downsampled.source_dense.size(),
-                                 EMTR_RESOLUTION_DENSE);
-  source_dense_ = make_neighbors(references.source, scale_dense, downsampled.target_dense.size(),
-                                 EMTR_RESOLUTION_DENSE);
+  parallel_for(3, thread_count(settings), [&](std::size_t i) {
+    if (i == 0)
+      target_dense_ = make_neighbors(references.target, scale_dense,
+                                     downsampled.source_dense.size(), EMTR_RESOLUTION_DENSE);
+    else if (i == 1)
+      source_dense_ = make_neighbors(references.source, scale_dense,
+                                     downsampled.target_dense.size(), EMTR_RESOLUTION_DENSE);
+    else
+      target_sparse_ = make_neighbors(downsampled.target_sparse, scale_sparse,
+                                      downsampled.source_sparse.size(), EMTR_RESOLUTION_SPARSE);
+  });
 }
 
 void TaskAlpha::residuals(const Cloud& points, const Rigid& pose, const Neighbors& neighbors,

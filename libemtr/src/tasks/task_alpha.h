@@ -21,7 +21,7 @@ namespace emtr {
 class TaskAlpha {
  public:
   /// Makes the neighbor structure of a cloud, with a radius, for so many queries by each evaluation
-  /// of a pose at that resolution.
+  /// of a pose at that resolution. Called by several threads at once.
   using MakeNeighbors = std::function<std::unique_ptr<Neighbors>(
       const Cloud&, float radius, std::size_t queries, emtr_resolution)>;
 
