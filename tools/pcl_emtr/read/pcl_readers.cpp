@@ -47,6 +47,9 @@ void read_pcd(CloudFile& cloud) {
 
 void read_ply(CloudFile& cloud) {
   read<pcl::PLYReader>(cloud, check_ply(cloud.place, cloud.path));
+  // Since 1.15 PCL reads a camera too, and takes one that stands nowhere.
+  cloud.sensor_origin.setZero();
+  cloud.sensor_orientation.setIdentity();
   read_ply_camera(cloud);
   read_ply_faces(cloud);
 }
