@@ -112,7 +112,6 @@ RULES = [
 
 EXCEPTIONS = [
     Exception_("CHANGELOG.md", "", "lists the old names beside the new ones"),
-    Exception_("BENCHMARK.md", r"^\| (?:\*\*|`)", "functions as they were called when measured"),
     Exception_("tests/python/*vocabulary.py", "", "lists the words"),
     Exception_("*", r"(?i)\bpools?\b.*(?:thread|OpenMP|fork|region|runtime)|"
                r"(?:thread|OpenMP|fork|runtime).*\bpools?\b|(?i:openmp_?pool)",

@@ -30,7 +30,7 @@ def stages_section(value: dict[str, Any]) -> str:
         f"of wall time, medians of {value['repetitions']}.",
         table(["preset", "threads", *names], rows),
         "The evolution by the candidate grid (`neighbors=grid`) and by pcl::KdTreeFLANN "
-        f"(`neighbors=kdtree`), {value['slow_repetitions']} turns; seconds.",
+        f"(`neighbors=kdtree`), {value['slow_repetitions']} repetitions; seconds.",
         table(
             ["preset", "threads", "grid", "kdtree", "ratio", "result"],
             [
