@@ -61,11 +61,11 @@ void CandidateSearch::run_fallback_search() {
 
 void CandidateSearch::add_rivals(CandidateSet& candidates) const {
   if (!settings_.rivals) return;
-  constexpr std::size_t kMost = 8;  // of one kind; a rival below these is none
+  constexpr std::size_t kMostRivals = 8;  // of one kind; a rival below these is none
   ThreadTeam::with(threads_, [&](ThreadTeam& team) {
     const auto best = [&] { return candidates.ranked().front().pose; };
     const auto add = [&](const std::vector<Rigid>& rivals) {
-      candidates.add(admissible(rivals, prior_), team, kMost);
+      candidates.add(admissible(rivals, prior_), team, kMostRivals);
     };
     add(quarter_rotated_rivals(surfaces_, best()));
     add(rotated_rivals(surfaces_, best(), team));

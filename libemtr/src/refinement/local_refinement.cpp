@@ -78,33 +78,11 @@ void LocalRefinement::accumulate(const State& at, Scratch& s, ThreadTeam& team,
 
 LocalRefinementResult LocalRefinement::operator()(const Rigid& start, const Prior* prior,
                                                   Scratch& s, int threads) const {
-  LocalRefinementResult out = started(start);
-  const auto body = [&](ThreadTeam& team) {
-    run(Part::First, start, prior, s, team, out);
-    run(Part::Second, start, prior, s, team, out);
-  };
-  ThreadTeam::with(threads, std::ref(body));
-  return out;
+  return finish(start, approach(start, prior, s, threads), prior, s, threads);
 }
 
-LocalRefinementResult LocalRefinement::approach(const Rigid& start, const Prior* prior,
-                                                Scratch& s) const {
-  LocalRefinementResult out = started(start);
-  const auto body = [&](ThreadTeam& team) { run(Part::First, start, prior, s, team, out); };
-  ThreadTeam::with(1, std::ref(body));
-  return out;
-}
-
-LocalRefinementResult LocalRefinement::finish(const Rigid& start,
-                                              const LocalRefinementResult& approached,
-                                              const Prior* prior, Scratch& s) const {
-  LocalRefinementResult out = approached;
-  const auto body = [&](ThreadTeam& team) { run(Part::Second, start, prior, s, team, out); };
-  ThreadTeam::with(1, std::ref(body));
-  return out;
-}
-
-LocalRefinementResult LocalRefinement::started(const Rigid& start) const {
+LocalRefinementResult LocalRefinement::approach(const Rigid& start, const Prior* prior, Scratch& s,
+                                                int threads) const {
   double T[16];
   to_matrix(start, T);
   require(is_rigid(T), "start: expected a finite rigid pose");
@@ -112,11 +90,25 @@ LocalRefinementResult LocalRefinement::started(const Rigid& start) const {
   out.pose = start;
   out.end = Termination::IterationLimit;
   out.both_ways = settings_.both_ways;
+  return run(Part::First, start, prior, s, threads, out);
+}
+
+LocalRefinementResult LocalRefinement::finish(const Rigid& start,
+                                              const LocalRefinementResult& approached,
+                                              const Prior* prior, Scratch& s, int threads) const {
+  return run(Part::Second, start, prior, s, threads, approached);
+}
+
+LocalRefinementResult LocalRefinement::run(Part part, const Rigid& start, const Prior* prior,
+                                           Scratch& s, int threads,
+                                           LocalRefinementResult out) const {
+  const auto body = [&](ThreadTeam& team) { iterate(part, start, prior, s, team, out); };
+  ThreadTeam::with(threads, std::ref(body));
   return out;
 }
 
-void LocalRefinement::run(Part part, const Rigid& start, const Prior* prior, Scratch& s,
-                          ThreadTeam& team, LocalRefinementResult& out) const {
+void LocalRefinement::iterate(Part part, const Rigid& start, const Prior* prior, Scratch& s,
+                              ThreadTeam& team, LocalRefinementResult& out) const {
   const std::size_t source_blocks = matcher_.source().size() / kBlock + 1,
                     target_blocks = matcher_.target().size() / kBlock + 1;
   s.matches.grow((source_blocks + target_blocks) * kBlock);

@@ -60,9 +60,10 @@ class LocalRefinement {
 
   /// The same in two parts: approach() does the iterations whose cut-off still shrinks, those that
   /// look at first_queries points, and finish() the others, from the start that was approached.
-  LocalRefinementResult approach(const Rigid& start, const Prior* prior, Scratch& scratch) const;
+  LocalRefinementResult approach(const Rigid& start, const Prior* prior, Scratch& scratch,
+                                 int threads = 1) const;
   LocalRefinementResult finish(const Rigid& start, const LocalRefinementResult& approached,
-                               const Prior* prior, Scratch& scratch) const;
+                               const Prior* prior, Scratch& scratch, int threads = 1) const;
 
   /// Returns how many pairs of a refined pose say as much as one that is independent of all others,
   /// at least 1: found from both sides, they come twice, and neighbors share points and normals. It
@@ -79,9 +80,10 @@ class LocalRefinement {
   };
 
   enum class Part { First, Second };
-  LocalRefinementResult started(const Rigid& start) const;
-  void run(Part part, const Rigid& start, const Prior* prior, Scratch& scratch, ThreadTeam& team,
-           LocalRefinementResult& out) const;
+  LocalRefinementResult run(Part part, const Rigid& start, const Prior* prior, Scratch& scratch,
+                            int threads, LocalRefinementResult out) const;
+  void iterate(Part part, const Rigid& start, const Prior* prior, Scratch& scratch,
+               ThreadTeam& team, LocalRefinementResult& out) const;
   void accumulate(const State& at, Scratch& scratch, ThreadTeam& team,
                   LocalRefinementResult& out) const;
   double reach(const State& at) const { return std::max(at.scale, settings_.reach * leaf_); }
