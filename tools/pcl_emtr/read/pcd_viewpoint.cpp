@@ -17,8 +17,6 @@ void read_pcd_viewpoint(CloudFile& cloud) {
     cloud.sensor_origin = {v[0], v[1], v[2]};
     cloud.sensor_orientation = Eigen::Quaterniond(v[3], v[4], v[5], v[6]);
   } else {
-    cloud.sensor_origin.setZero();
-    cloud.sensor_orientation.setIdentity();
     cloud.add_note("its VIEWPOINT is left out, it is not finite");
   }
 }

@@ -15,10 +15,12 @@
 namespace cli {
 namespace {
 
+/// Reads all but the sensor's pose: PCL's is short of digits, and its versions differ in what they
+/// take for one.
 template <class Reader>
 void read(CloudFile& cloud, std::uint64_t points) {
-  Eigen::Vector4f origin = Eigen::Vector4f::Zero();
-  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  Eigen::Vector4f origin;
+  Eigen::Quaternionf orientation;
   int version = 0;
   int status = -1;
   try {
@@ -34,8 +36,6 @@ void read(CloudFile& cloud, std::uint64_t points) {
   // PCL sorts the vertices of a PLY file into its range grid, whatever size that has.
   if (cloud.size() == 0 || cloud.blob.data.size() != cloud.size() * cloud.blob.point_step)
     throw FileFailure(cloud.path, "cannot be read: its points are not as many as it declares");
-  cloud.sensor_origin = origin.head<3>().cast<double>();
-  cloud.sensor_orientation = orientation.cast<double>();
 }
 
 }  // namespace
@@ -47,9 +47,6 @@ void read_pcd(CloudFile& cloud) {
 
 void read_ply(CloudFile& cloud) {
   read<pcl::PLYReader>(cloud, check_ply(cloud.place, cloud.path));
-  // Since 1.15 PCL reads a camera too, and takes one that stands nowhere.
-  cloud.sensor_origin.setZero();
-  cloud.sensor_orientation.setIdentity();
   read_ply_camera(cloud);
   read_ply_faces(cloud);
 }
