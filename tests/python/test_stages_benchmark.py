@@ -39,7 +39,7 @@ def test_stages_alternate_and_tell_whether_the_bits_agree(monkeypatch):
 def test_limits_count_the_work_and_take_the_stage_that_does_it():
     pair = shapes.make_pair(1, count=2000)
     source, target = pair.source, pair.target
-    found = limits.limits(source, target, "fast", 1)
+    found = limits.limits(source, target, "fast", 1, limits.machine_rates())
     rows = {row["kind"]: row for row in found["rows"]}
     result = pyemtr.register(source, target, preset="fast", threads=1)
     assert rows["bytes"]["amount"] == 24 * (len(source) + len(target))

@@ -19,13 +19,15 @@ Array = NDArray[np.float64]
 _ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_NUM_THREADS")
 
 
-def limits(source: Array, target: Array, preset: str, repetitions: int) -> dict[str, Any]:
+def limits(
+    source: Array, target: Array, preset: str, repetitions: int, per_second: dict[str, float]
+) -> dict[str, Any]:
     """One thread. A row for each kind of work that is counted: how much of it, the seconds that the
     machine needs for it at least, and the median seconds of the stage that does it."""
     found = [
         pyemtr.register(source, target, preset=preset, threads=1) for _ in range(repetitions + 1)
     ]
-    result, per_second = found[0], _rates()
+    result = found[0]
     work = {
         "bytes": ("normalization", source.nbytes + target.nbytes),
         "descriptor pairs": ("matching", result.dense_source * result.dense_target),
@@ -45,7 +47,8 @@ def limits(source: Array, target: Array, preset: str, repetitions: int) -> dict[
     return {"preset": preset, "per_second": per_second, "rows": rows, "total": total}
 
 
-def _rates() -> dict[str, float]:
+def machine_rates() -> dict[str, float]:
+    """What the machine does at most a second, by kind of work."""
     program = Path(__file__).with_name("machine_rates.py")
     done = subprocess.run(
         [sys.executable, str(program)],

@@ -20,7 +20,7 @@ from ..peers.tables import number, spread
 from ..runner import moved
 from ..sample import sample_clouds
 from .arguments import STRUCTURES
-from .limits import limits
+from .limits import limits, machine_rates
 from .measure import compare_structures, profile
 
 SMOKE_POINTS = 1500
@@ -88,7 +88,8 @@ def _measure(
         for preset in presets
     ]  # fmt: skip
     print(f"{_structure_table(structures)}\n", flush=True)
-    least = [limits(source, target, preset, arguments.repetitions) for preset in presets]
+    rates = machine_rates()
+    least = [limits(source, target, preset, arguments.repetitions, rates) for preset in presets]
     print(f"{_limit_table(least)}\n", flush=True)
     return {"pair": name, "points": [len(source), len(target)], "profiles": profiles,
             "structures": structures, "limits": least}  # fmt: skip
