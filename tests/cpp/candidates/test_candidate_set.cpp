@@ -1,8 +1,5 @@
-#include <gtest/gtest.h>
-
 #include "candidates/candidate_set.h"
-#include "candidates/quick_scores.h"
-#include "candidates/scene.h"
+#include "candidates/one_scene.h"
 
 namespace {
 
@@ -13,23 +10,8 @@ using emtr::ThreadTeam;
 using emtr_test::anywhere;
 using emtr_test::same_bits;
 
-class CandidateSet : public testing::Test {
+class CandidateSet : public emtr_test::OneScene {
  protected:
-  static const emtr_test::Scene& scene() {
-    static const emtr_test::Scene one(31);
-    return one;
-  }
-  static const emtr::SurfacePair& surfaces() {
-    static const emtr::SurfacePair both(scene().source, scene().target, {}, {},
-                                        emtr::select_kernels());
-    return both;
-  }
-
-  static double quick(const Rigid& pose) {
-    emtr::Ranking::Scratch scratch;
-    return emtr::quick_score(surfaces(), pose, scratch);
-  }
-
   /// Good ones, duplicates of them, and many that are wrong.
   static std::vector<Rigid> poses() {
     std::vector<Rigid> out = anywhere(30, 7);

@@ -1,10 +1,8 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <limits>
 
+#include "candidates/one_scene.h"
 #include "candidates/quick_scores.h"
-#include "candidates/scene.h"
 
 namespace {
 
@@ -13,23 +11,9 @@ using emtr::SurfacePair;
 using emtr::ThreadTeam;
 using emtr_test::anywhere;
 
-class QuickScores : public testing::Test {
+class QuickScores : public emtr_test::OneScene {
  protected:
-  static const emtr_test::Scene& scene() {
-    static const emtr_test::Scene one(31);
-    return one;
-  }
-  static const SurfacePair& surfaces() {
-    static const SurfacePair both(scene().source, scene().target, {}, {}, emtr::select_kernels());
-    return both;
-  }
-
-  static double by_every(std::size_t step, const Rigid& pose) {
-    emtr::Ranking::Scratch scratch;
-    return surfaces().ranking().evaluate(pose, scratch, step).score;
-  }
-  static double quick(const Rigid& pose) { return by_every(SurfacePair::kQuickStep, pose); }
-  static double quickest(const Rigid& pose) { return by_every(SurfacePair::kQuickestStep, pose); }
+  static double quickest(const Rigid& pose) { return score(pose, SurfacePair::kQuickestStep); }
 
   /// Ninety wrong ones, and ten from the truth on to twenty degrees off.
   static std::vector<Rigid> poses() {
