@@ -81,7 +81,7 @@ class Problem(ProblemViews):
 
         Returns:
             A :class:`pyemtr.Result`; without ``poses`` it has the same bits as
-            :func:`pyemtr.register`. The errors are as there.
+            :func:`pyemtr.register` with ``coarse_points=0``. The errors are as there.
         """
         raw_callback = as_raw_callback(callback, self.settings)
         matrices = None if poses is None else as_poses(poses)[0]

@@ -12,13 +12,14 @@ class Progress(NamedTuple):
     Attributes:
         stage: "normalization", "scale_search", "downsampling", "features", "matching", "seeds",
             "evolution", "candidates", "fallback_search", "refinement" or "verdict", in this order.
-            A preset without a stage skips it.
+            A preset without a stage skips it. If a coarse search leaves doubt, those from
+            "normalization" on begin again.
         iteration, iterations: how many are done, and how many there are in all.
         best_alpha, best_beta: the best fitness so far of the two tasks, lower is better. Alpha's
             scale changes at the switch from sparse to dense.
         fraction: how much of the whole run is done, from 0 to below 1, never less than before. It
-            is estimated from what each stage usually takes. A fallback search that the settings
-            do not ask for "always" adds nothing to it.
+            is estimated from what each stage usually takes. A finer search after a coarse one adds
+            nothing to it, nor does a fallback search that the settings do not ask for "always".
     """
 
     stage: str

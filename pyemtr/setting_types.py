@@ -14,6 +14,7 @@ class MethodSettings(TypedDict, total=False):
 
     time_limit: float
     dense_points: int
+    coarse_points: int
     sparse_points: int
     minimum_leaf_spacing: float
     maximum_leaf_growth: float

@@ -135,7 +135,19 @@ def test_interrupt_before_any_pose(command, tmp_path):
     cloud_files.write_pcd(tmp_path / "a.pcd", rng.uniform(size=(200000, 3)))
     (tmp_path / "b.pcd").write_bytes((tmp_path / "a.pcd").read_bytes())
     process = subprocess.Popen(
-        [command, "a.pcd", "b.pcd", "--dense-points", "200000", "--threads", "1", "-o", "T.txt"],
+        [
+            command,
+            "a.pcd",
+            "b.pcd",
+            "--dense-points",
+            "200000",
+            "--coarse-points",
+            "0",
+            "--threads",
+            "1",
+            "-o",
+            "T.txt",
+        ],
         cwd=tmp_path,
         text=True,
         stdout=subprocess.PIPE,

@@ -86,6 +86,7 @@ def test_stopped_between_iterations_the_best_pose_so_far_is_given(pair):
         pair.target,
         iterations=50,
         stall_iterations=0,
+        coarse_points=0,
         threads=2,
         callback=lambda progress: progress.iteration == 5,
     )

@@ -185,6 +185,7 @@ typedef struct emtr_settings {
 
   /* downsampling */
   int32_t dense_points;        /* of both dense clouds together */
+  int32_t coarse_points;       /* as dense_points, for a coarse search first; 0: none */
   int32_t sparse_points;       /* of the sparse source cloud */
   double minimum_leaf_spacing; /* least dense leaf, point spacings */
   double maximum_leaf_growth;  /* of the dense leaf, where a cloud lies along curves */
@@ -350,6 +351,7 @@ EMTR_API const char* emtr_stage_name(size_t index);
 
 /* Returns non-zero to STOP the run. The run ends within 100 ms; its result has the best pose so far
  * and the reason EMTR_REASON_INTERRUPTED.
+ * Stages that a coarse search has passed begin again where a finer one follows.
  * The library calls it on the caller's thread, with the `user` pointer of the call: before each
  * stage, after each iteration, and about every 20 ms while a stage lasts, then with the same
  * progress again. It may call the library, except on the problem that is being solved. It sees the
@@ -747,8 +749,9 @@ EMTR_API emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* s
 /* Frees a problem; does nothing for null. */
 EMTR_API void emtr_problem_free(emtr_problem* problem);
 
-/* Solves a problem: from the seeds to the verdict, with the bits of emtr_register(). The timings
- * count the creation of the problem too; the time limit does not.
+/* Solves a problem: from the seeds to the verdict, with the bits of emtr_register() without a coarse
+ * search (setting `coarse_points` 0). The timings count the creation of the problem too; the time
+ * limit does not.
  * On EMTR_OK *result is new, and the caller frees it. On an error it is null. */
 EMTR_API emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress,
                                         void* user, emtr_result** result);

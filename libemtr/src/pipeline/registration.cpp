@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kernels/kernels.h"
+#include "pipeline/coarse_search.h"
 #include "pipeline/problem.h"
 #include "pipeline/progress.h"
 #include "pipeline/require_colors.h"
@@ -40,9 +41,12 @@ Sizes sizes_of(Run& run) {
 }
 
 std::unique_ptr<Result> register_whole(Run& run) {
+  CoarseSearch coarse =
+      search_coarsely(run.source, run.target, run.settings, run.token, run.seconds);
+  if (coarse.is_decided) return std::move(coarse.result);
   const auto problem =
-      make_problem(run.source, run.target, run.settings, run.token, Stages::Needed, run.seconds);
-  return solve(*problem, run.token);
+      make_problem(run.source, run.target, run.settings, run.token, Stages::Needed, coarse.seconds);
+  return coarse.unless_stopped(solve(*problem, run.token));
 }
 
 /// Returns the result of the parts of the larger cloud; null when none is worth a look, or when the

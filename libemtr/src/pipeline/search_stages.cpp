@@ -138,20 +138,26 @@ void rank_candidates(const Problem& problem, Solution& found) {
   take_best_candidate(problem, found);
 }
 
-bool needs_fallback_search(const Problem& problem, const Solution& found) {
-  const Settings& settings = problem.settings;
+bool is_doubtful(const Problem& problem, const Solution& found) {
   if (!found.confidence) return false;
   const Candidate& best = found.candidates->ranked().front();
-  const bool doubtful = found.confidence->probability < settings.fallback_confidence ||
-                        is_mostly_plane(best) || is_nearly_rivaled(best, *found.confidence);
-  return in_use(settings.fallback_search, doubtful);
+  return found.confidence->probability < problem.settings.fallback_confidence ||
+         is_mostly_plane(best) || is_nearly_rivaled(best, *found.confidence);
+}
+
+bool is_strange(const Solution& found) {
+  return found.confidence && found.refined.succeeded &&
+         (found.refined.unconstrained > 0 || found.confidence->mirrored ||
+          found.confidence->scale_factor != 1);
+}
+
+bool needs_fallback_search(const Problem& problem, const Solution& found) {
+  return found.confidence && in_use(problem.settings.fallback_search, is_doubtful(problem, found));
 }
 
 bool needs_second_look(const Problem& problem, const Solution& found) {
   if (!found.confidence || found.candidates->used_fallback_search()) return false;
-  const bool strange = found.refined.unconstrained > 0 || found.confidence->mirrored ||
-                       found.confidence->scale_factor != 1;
-  return in_use(problem.settings.fallback_search, found.refined.succeeded && strange);
+  return in_use(problem.settings.fallback_search, is_strange(found));
 }
 
 void search_again(const Problem& problem, Solution& found) {

@@ -27,11 +27,17 @@ void take_poses(const Problem& problem, const std::vector<Rigid>& poses, Solutio
 /// Refines and ranks the guess, the shortlist and the poses of the swarm.
 void rank_candidates(const Problem& problem, Solution& found);
 
-/// Tells whether the settings ask for a second search, given how sure the first one is.
-bool needs_fallback_search(const Problem& problem, const Solution& found);
+/// Tells whether the candidates leave it in doubt which pose is right.
+bool is_doubtful(const Problem& problem, const Solution& found);
 
 /// Tells whether the pose is one that surfaces seldom have and wrong poses often: degenerate, or
 /// better mirrored or scaled. Then a search with fewer points may have missed the right one.
+bool is_strange(const Solution& found);
+
+/// Tells whether the settings ask for a second search of a pose that is doubtful.
+bool needs_fallback_search(const Problem& problem, const Solution& found);
+
+/// Tells whether they ask for one where the refined pose is strange.
 bool needs_second_look(const Problem& problem, const Solution& found);
 
 /// Searches again with more feature points, and ranks all candidates anew.

@@ -61,16 +61,22 @@ void run_stages(const Problem& problem, const std::vector<Rigid>* poses, Progres
   }
 }
 
-void search(const Problem& problem, const std::vector<Rigid>* poses, CancellationToken& token,
-            Solution& found) {
+/// Runs the stages that `run(progress, found)` runs.
+template <class Run>
+Solution search(const Problem& problem, CancellationToken& token, Run run) {
+  Solution found;
+  found.seconds = problem.seconds;
+  found.stopped = problem.stopped;
+  if (found.stopped) return found;
   const CancellationScope scope(&token);
   try {
     Progress progress(token, problem.settings.iterations, found.seconds);
-    run_stages(problem, poses, progress, found);
+    run(progress, found);
   } catch (const Cancelled&) {
     found.stopped = true;
     take_best_so_far(problem, found);
   }
+  return found;
 }
 
 }  // namespace
@@ -85,11 +91,19 @@ Solution search_candidates(const Problem& problem, CancellationToken& token) {
 
 Solution search_pose(const Problem& problem, CancellationToken& token,
                      const std::vector<Rigid>* poses) {
-  Solution found;
-  found.seconds = problem.seconds;
-  found.stopped = problem.stopped;
-  if (!found.stopped) search(problem, poses, token, found);
+  Solution found = search(problem, token, [&](Progress& progress, Solution& out) {
+    run_stages(problem, poses, progress, out);
+  });
   if (found.pose && !problem.matches_decide) judge_pose(problem, found);
+  return found;
+}
+
+Solution search_once(const Problem& problem, CancellationToken& token) {
+  Solution found = search(problem, token, [&](Progress& progress, Solution& out) {
+    find_candidates(problem, nullptr, progress, out);
+    if (!is_doubtful(problem, out)) refine_and_judge(problem, progress, out);
+  });
+  if (found.overlap || (found.stopped && found.pose)) judge_pose(problem, found);
   return found;
 }
 

@@ -18,6 +18,10 @@ Solution search_candidates(const Problem& problem, CancellationToken& token);
 Solution search_pose(const Problem& problem, CancellationToken& token,
                      const std::vector<Rigid>* poses = nullptr);
 
+/// Searches the pose of a problem by one search. Where that leaves it in doubt, the pose is
+/// neither refined nor judged.
+Solution search_once(const Problem& problem, CancellationToken& token);
+
 /// Returns the result of a search that ended, or that the token stopped.
 std::unique_ptr<Result> conclude(const Problem& problem, const Solution& found,
                                  const CancellationToken& token);

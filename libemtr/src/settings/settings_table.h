@@ -7,6 +7,8 @@
 
 namespace emtr {
 
+constexpr int kFewestPoints = 100;  ///< of both dense clouds together, whatever the search
+
 /// Returns every setting that has a name, with its value in preset "default".
 const std::vector<Setting>& setting_table();
 

@@ -35,6 +35,9 @@ void validate_method(const Settings& s) {
   require(s.sparse_points < s.dense_points,
           "settings 'sparse_points' and 'dense_points' contradict each other: the sparse source "
           "cloud must have fewer points than both dense clouds together");
+  require(s.coarse_points == 0 || s.coarse_points >= kFewestPoints,
+          "setting 'coarse_points' is " + std::to_string(s.coarse_points) +
+              ", expected 0 or from " + std::to_string(kFewestPoints) + " on");
   require(s.normal_radius <= s.feature_radius,
           "settings 'normal_radius' and 'feature_radius' contradict each other: a feature's "
           "neighborhood must not be smaller than a normal's");

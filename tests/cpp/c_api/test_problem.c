@@ -95,12 +95,15 @@ int main(void) {
   emtr_cloud source, target;
   emtr_problem* problem = NULL;
   emtr_problem_info info;
+  emtr_settings by_all_points;
   emtr_result *at_once = NULL, *solved = NULL;
   size_t i;
   if (bumpy_pair_make(&pair, 2, 4000, 1.0)) return 1;
   source = cloud_of(pair.source, pair.count);
   target = cloud_of(pair.target, pair.count);
-  CHECK_OK(emtr_register(&source, &target, NULL, NULL, NULL, &at_once));
+  CHECK_OK(emtr_settings_init(&by_all_points, sizeof by_all_points, "default"));
+  by_all_points.coarse_points = 0;
+  CHECK_OK(emtr_register(&source, &target, &by_all_points, NULL, NULL, &at_once));
   CHECK_OK(emtr_problem_create(&source, &target, NULL, &problem));
   if (!problem || !at_once) return 1;
   CHECK_ERROR(emtr_problem_describe(problem, &info, 0), EMTR_ERROR_ARGUMENT, "size is 0");

@@ -87,5 +87,10 @@ def row(result: Check) -> str:
 def _register(pair: Pair, register: Register, options: Options, switch: int) -> Outcome:
     case = moved(pair, 0)
     # The formula is of all iterations.
-    settings = {**options.settings, "sparse_to_dense": switch, "stall_iterations": 0}
+    settings = {
+        **options.settings,
+        "sparse_to_dense": switch,
+        "stall_iterations": 0,
+        "coarse_points": 0,
+    }
     return register(case.source, case.target, replace(options, settings=settings), None)
