@@ -28,6 +28,7 @@ _NO_ANGLES: dict[str, Setting] = {"rotation_vector_steps": "always", "arc_transf
 
 VARIANTS = (
     Variant(WHOLE, "nothing"),
+    Variant(WHOLE, "coarse search", {"coarse_points": 0}),
     Variant(WHOLE, "seeds", _NO_SEEDS),
     Variant(WHOLE, "injected seeds", {"injected_seeds": 0}),
     Variant(WHOLE, "transfer", {"transfer": 0}),
