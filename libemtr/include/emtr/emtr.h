@@ -749,9 +749,9 @@ EMTR_API emtr_status emtr_problem_create_preprocessed(const emtr_preprocessed* s
 /* Frees a problem; does nothing for null. */
 EMTR_API void emtr_problem_free(emtr_problem* problem);
 
-/* Solves a problem: from the seeds to the verdict, with the bits of emtr_register() without a coarse
- * search (setting `coarse_points` 0). The timings count the creation of the problem too; the time
- * limit does not.
+/* Solves a problem: from the seeds to the verdict, with the bits of emtr_register() without a
+ * coarse search (setting `coarse_points` 0). The timings count the creation of the problem too; the
+ * time limit does not.
  * On EMTR_OK *result is new, and the caller frees it. On an error it is null. */
 EMTR_API emtr_status emtr_problem_solve(emtr_problem* problem, emtr_progress_fn progress,
                                         void* user, emtr_result** result);

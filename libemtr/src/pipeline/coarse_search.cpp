@@ -34,7 +34,12 @@ Settings coarse(Settings settings) {
   return settings;
 }
 
-}  // namespace
+/// What the search by few points found.
+struct CoarseSearch {
+  std::unique_ptr<Result> result;  ///< null where there was no such search
+  bool is_decided = false;         ///< the result leaves no doubt, or the run was stopped
+  StageSeconds seconds;            ///< what the run has taken by now
+};
 
 CoarseSearch search_coarsely(InputCloud& source, InputCloud& target, const Settings& settings,
                              CancellationToken& token, const StageSeconds& seconds) {
@@ -57,11 +62,21 @@ CoarseSearch search_coarsely(InputCloud& source, InputCloud& target, const Setti
   return out;
 }
 
-std::unique_ptr<Result> CoarseSearch::unless_stopped(std::unique_ptr<Result> finer) {
-  if (!result || !is_stopped(*finer) || !std::isnan(finer->scale)) return finer;
-  result->registered = 0;
-  result->reason = finer->reason;
-  return std::move(result);
+}  // namespace
+
+std::unique_ptr<Result> register_coarse_to_fine(InputCloud& source, InputCloud& target,
+                                                const Settings& settings, CancellationToken& token,
+                                                const StageSeconds& seconds) {
+  CoarseSearch coarse = search_coarsely(source, target, settings, token, seconds);
+  if (coarse.is_decided) return std::move(coarse.result);
+  const auto problem =
+      make_problem(source, target, settings, token, Stages::Needed, coarse.seconds);
+  auto finer = solve(*problem, token);
+  const bool has_pose = !std::isnan(finer->scale);
+  if (!coarse.result || !is_stopped(*finer) || has_pose) return finer;
+  coarse.result->registered = 0;
+  coarse.result->reason = finer->reason;
+  return std::move(coarse.result);
 }
 
 }  // namespace emtr

@@ -17,7 +17,7 @@ namespace emtr {
 /// thread may be in its progress callback, which may come here again; both get the same bits.
 class Memo {
  public:
-  static constexpr std::size_t kKept = 24;  ///< values, those that were asked for last: of three searches by one pair
+  static constexpr std::size_t kKept = 24;  ///< values, those that were asked for last
 
   Memo() = default;
   Memo(const Memo&) {}  ///< A copy of the object may change before it is used.
