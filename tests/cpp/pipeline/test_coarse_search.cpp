@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/registration.h"
 #include "settings/settings.h"
 #include "support/clouds.h"
-#include "support/problems.h"
+#include "support/registered.h"
 
 namespace {
 
 using emtr::Settings;
 using emtr_test::Pair;
-using emtr_test::ResultPtr;
+using emtr_test::registered;
+using ResultPtr = std::unique_ptr<emtr::Result>;
 
 Settings settings_with(std::int32_t coarse_points) {
   Settings settings = emtr::preset("default");
@@ -23,18 +23,11 @@ Settings settings_with(std::int32_t coarse_points) {
   return settings;
 }
 
-ResultPtr register_clouds(const emtr_cloud& source, const emtr_cloud& target,
-                          const Settings& settings, const emtr::OnProgress& on_progress = nullptr) {
-  emtr::InputCloud from{&source, nullptr}, to{&target, nullptr};
-  emtr::CancellationToken token(on_progress);
-  return emtr::register_clouds(from, to, settings, token);
-}
-
 /// How often a registration matches the clouds: once a search.
 int searches(const emtr_cloud& source, const emtr_cloud& target, const Settings& settings) {
   int found = 0;
   std::string last;
-  register_clouds(source, target, settings, [&](const emtr_progress& p) {
+  registered(source, target, settings, [&](const emtr_progress& p) {
     found += p.stage == std::string("matching") && last != p.stage;
     last = p.stage;
     return false;
@@ -68,7 +61,7 @@ class CoarseSearch : public testing::Test {
 
 TEST_F(CoarseSearch, IsTheAnswerWhereItLeavesNoDoubt) {
   const Pair& pair = sure();
-  const ResultPtr r = register_clouds(pair.source(), pair.target(), settings_with(2500));
+  const ResultPtr r = registered(pair.source(), pair.target(), settings_with(2500));
   EXPECT_EQ(r->registered, 1);
   EXPECT_LT(pair.error(r->transformation), 0.01);
   EXPECT_LT(r->dense_source + r->dense_target, 2500 * 1.2);
@@ -78,13 +71,13 @@ TEST_F(CoarseSearch, IsTheAnswerWhereItLeavesNoDoubt) {
   same.dense_points = 2500;
   same.population = 20;
   same.candidates = same.injected_seeds = 6;
-  expect_same_bits(*r, *register_clouds(pair.source(), pair.target(), same));
+  expect_same_bits(*r, *registered(pair.source(), pair.target(), same));
 }
 
 TEST_F(CoarseSearch, LeavesNothingBehindWhereThereIsDoubt) {
   const emtr_cloud source = doubtful_source(), target = doubtful_target();
-  const ResultPtr both = register_clouds(source, target, settings_with(2500)),
-                  alone = register_clouds(source, target, settings_with(0));
+  const ResultPtr both = registered(source, target, settings_with(2500)),
+                  alone = registered(source, target, settings_with(0));
   EXPECT_EQ(both->registered, 0);
   expect_same_bits(*both, *alone);
   EXPECT_EQ(searches(source, target, settings_with(2500)), 2);
@@ -113,7 +106,7 @@ TEST_F(CoarseSearch, FailsQuietlyWhereTooFewPointsAreLeft) {
   const Pair small(61, 8000, 0.13), large(62, 8000);
   const emtr_cloud source = small.source(), target = large.target();
   EXPECT_EQ(searches(source, target, few), 1);  // the coarse one ends before it
-  expect_same_bits(*register_clouds(source, target, few), *register_clouds(source, target, none));
+  expect_same_bits(*registered(source, target, few), *registered(source, target, none));
 }
 
 TEST_F(CoarseSearch, GivesItsPoseToARunThatIsStoppedBeforeAFinerOne) {
@@ -125,7 +118,7 @@ TEST_F(CoarseSearch, GivesItsPoseToARunThatIsStoppedBeforeAFinerOne) {
     return found == 2;
   };
   const ResultPtr r =
-      register_clouds(doubtful_source(), doubtful_target(), settings_with(2500), stop_in_second);
+      registered(doubtful_source(), doubtful_target(), settings_with(2500), stop_in_second);
   EXPECT_EQ(found, 2);
   EXPECT_EQ(r->registered, 0);
   EXPECT_EQ(r->reason, EMTR_REASON_INTERRUPTED);
@@ -134,7 +127,7 @@ TEST_F(CoarseSearch, GivesItsPoseToARunThatIsStoppedBeforeAFinerOne) {
 
 TEST_F(CoarseSearch, StopsWithTheBestPoseSoFar) {
   const auto stop = [](const emtr_progress& p) { return p.stage == std::string("evolution"); };
-  const ResultPtr r = register_clouds(sure().source(), sure().target(), settings_with(2500), stop);
+  const ResultPtr r = registered(sure().source(), sure().target(), settings_with(2500), stop);
   EXPECT_EQ(r->registered, 0);
   EXPECT_EQ(r->reason, EMTR_REASON_INTERRUPTED);
   EXPECT_TRUE(emtr::is_rigid(r->transformation));

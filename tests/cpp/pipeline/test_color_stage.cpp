@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "colors/painted.h"
-#include "pipeline/registration.h"
 #include "settings/settings.h"
+#include "support/registered.h"
 #include "util/error.h"
 
 namespace {
@@ -54,9 +54,7 @@ std::unique_ptr<emtr::Result> registered(const emtr_cloud& source, const emtr_cl
   emtr::Settings settings = emtr::preset("fast");
   settings.threads = threads;
   emtr::set(settings, "use_colors", use_colors);
-  emtr::InputCloud from{&source, nullptr}, to{&target, nullptr};
-  emtr::CancellationToken token(nullptr);
-  return emtr::register_clouds(from, to, settings, token);
+  return emtr_test::registered(source, target, settings);
 }
 
 bool same_pose(const emtr_result& a, const emtr_result& b) {

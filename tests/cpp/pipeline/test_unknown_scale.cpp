@@ -5,18 +5,19 @@
 #include <vector>
 
 #include "geometry/similarity.h"
-#include "pipeline/registration.h"
 #include "pipeline/result.h"
 #include "pipeline/scale_range.h"
 #include "refinement/shapes.h"
 #include "settings/settings.h"
 #include "support/clouds.h"
+#include "support/registered.h"
 #include "verdict/confidence.h"
 
 namespace {
 
 using emtr::Result;
 using emtr::Settings;
+using emtr_test::registered;
 
 Settings settings(emtr_scale scale, double low = 1, double high = 1) {
   Settings out = emtr::preset("fast");
@@ -38,13 +39,6 @@ struct Scaled {
   emtr_cloud view() const { return {points.data(), points.size() / 3, 0, EMTR_FLOAT32}; }
 };
 
-std::unique_ptr<Result> run(const emtr_cloud& source, const emtr_cloud& target,
-                            const Settings& settings, const emtr::OnProgress& progress = {}) {
-  emtr::InputCloud from{&source, nullptr}, to{&target, nullptr};
-  emtr::CancellationToken token(progress);
-  return emtr::register_clouds(from, to, settings, token);
-}
-
 /// The pose error of the source before it was scaled, as Pair::error() tells it.
 double pose_error(const emtr_test::Pair& pair, const Result& result, double factor) {
   const auto similarity = emtr::similarity_from_matrix(result.transformation);
@@ -60,7 +54,7 @@ TEST(UnknownScale, FindsAnyScaleWithThePose) {
   const emtr_test::Pair pair(5);
   for (const double factor : {0.03, 1.0, 700.0}) {
     const Scaled source(pair.source(), factor);
-    const auto result = run(source.view(), pair.target(), settings(EMTR_SCALE_FREE));
+    const auto result = registered(source.view(), pair.target(), settings(EMTR_SCALE_FREE));
     EXPECT_TRUE(result->registered) << factor;
     EXPECT_LT(pose_error(pair, *result, factor), 0.03) << factor;
     EXPECT_GT(result->scale_constraint, 0.01);
@@ -72,10 +66,12 @@ TEST(UnknownScale, FindsAnyScaleWithThePose) {
 TEST(UnknownScale, FindsAScaleWithinBounds) {
   const emtr_test::Pair pair(6);
   const Scaled source(pair.source(), 1 / 1.15);
-  const auto found = run(source.view(), pair.target(), settings(EMTR_SCALE_BOUNDED, 0.8, 1.25));
+  const auto found =
+      registered(source.view(), pair.target(), settings(EMTR_SCALE_BOUNDED, 0.8, 1.25));
   EXPECT_TRUE(found->registered);
   EXPECT_LT(pose_error(pair, *found, 1 / 1.15), 0.03);
-  const auto known = run(source.view(), pair.target(), settings(EMTR_SCALE_BOUNDED, 1.15, 1.15));
+  const auto known =
+      registered(source.view(), pair.target(), settings(EMTR_SCALE_BOUNDED, 1.15, 1.15));
   EXPECT_TRUE(known->registered);
   EXPECT_LT(pose_error(pair, *known, 1 / 1.15), 0.03);
 }
@@ -84,7 +80,7 @@ TEST(UnknownScale, TellsAUnitExactly) {
   const emtr_test::Pair pair(7);
   for (const double unit : {12.0, 1 / 25.4}) {
     const Scaled source(pair.source(), 1 / unit);
-    const auto result = run(source.view(), pair.target(), settings(EMTR_SCALE_UNITS));
+    const auto result = registered(source.view(), pair.target(), settings(EMTR_SCALE_UNITS));
     EXPECT_TRUE(result->registered) << unit;
     EXPECT_EQ(result->scale, unit);
   }
@@ -93,7 +89,7 @@ TEST(UnknownScale, TellsAUnitExactly) {
 TEST(UnknownScale, OfAFactorThatIsNoUnitIsNotRegisteredAsOne) {
   const emtr_test::Pair pair(7);
   const Scaled source(pair.source(), 1.3);
-  EXPECT_FALSE(run(source.view(), pair.target(), settings(EMTR_SCALE_UNITS))->registered);
+  EXPECT_FALSE(registered(source.view(), pair.target(), settings(EMTR_SCALE_UNITS))->registered);
 }
 
 TEST(UnknownScale, IsSaidToBeFreeWhereTheSurfacesLeaveItOpen) {
@@ -114,8 +110,9 @@ TEST(UnknownScale, IsSaidToBeFreeWhereTheSurfacesLeaveItOpen) {
     return out;
   };
   const std::vector<float> a = interleaved(corner(1)), b = interleaved(corner(2));
-  const auto result = run({a.data(), a.size() / 3, 0, EMTR_FLOAT32},
-                          {b.data(), b.size() / 3, 0, EMTR_FLOAT32}, settings(EMTR_SCALE_FREE));
+  const auto result =
+      registered({a.data(), a.size() / 3, 0, EMTR_FLOAT32},
+                 {b.data(), b.size() / 3, 0, EMTR_FLOAT32}, settings(EMTR_SCALE_FREE));
   EXPECT_FALSE(result->registered);
   if (result->confidence >= 0.5) {
     EXPECT_EQ(result->reason, EMTR_REASON_FREE_SCALE);
@@ -128,9 +125,9 @@ TEST(UnknownScale, HasTheSameBitsForAnyThreads) {
   const Scaled source(pair.source(), 3);
   Settings chosen = settings(EMTR_SCALE_FREE);
   chosen.threads = 1;
-  const auto one = run(source.view(), pair.target(), chosen);
+  const auto one = registered(source.view(), pair.target(), chosen);
   chosen.threads = 3;
-  const auto three = run(source.view(), pair.target(), chosen);
+  const auto three = registered(source.view(), pair.target(), chosen);
   for (int i = 0; i < 16; ++i) EXPECT_EQ(one->transformation[i], three->transformation[i]);
   for (int i = 0; i < 49; ++i)
     EXPECT_EQ(one->information_similarity[i], three->information_similarity[i]);
@@ -140,9 +137,9 @@ TEST(UnknownScale, HasTheSameBitsForAnyThreads) {
 TEST(UnknownScale, StopsWhenAsked) {
   const emtr_test::Pair pair(9);
   for (const char* stage : {"normalization", "scale_search", "refinement"}) {
-    const auto result =
-        run(pair.source(), pair.target(), settings(EMTR_SCALE_FREE),
-            [&](const emtr_progress& progress) { return std::string(progress.stage) == stage; });
+    const auto result = registered(
+        pair.source(), pair.target(), settings(EMTR_SCALE_FREE),
+        [&](const emtr_progress& progress) { return std::string(progress.stage) == stage; });
     EXPECT_FALSE(result->registered);
     EXPECT_EQ(result->reason, EMTR_REASON_INTERRUPTED) << stage;
   }

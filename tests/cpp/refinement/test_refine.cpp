@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 
 #include "ranking/surfaces.h"
+#include "refinement/downsampled_surface.h"
 #include "refinement/refine.h"
 #include "refinement/shapes.h"
 #include "support/clouds.h"
@@ -44,6 +47,26 @@ TEST(FineSurfaces, AreAsFineAsThePointsAllowAndNoCoarserThanThoseOfTheCandidates
   EXPECT_GT(sparse, 0.05);  // three points a cube
   EXPECT_EQ(Refinement(40, 1500).fine(kernels, 0.04).leaf(), 0.04);
   EXPECT_LT(Refinement(40, 60000).fine(kernels).leaf(), sparse / 3);
+}
+
+/// Counts the voxels by making the surfaces.
+TEST(FineSurfaces, GrowByTheVoxelsThatHoldPointsHoweverManyThereAre) {
+  const emtr::Kernels& kernels = emtr::select_kernels();
+  const Refinement r(40, 20000);
+  const auto points_per_voxel = [](const emtr::Cloud& cloud, double leaf) {
+    return static_cast<double>(cloud.size()) /
+           static_cast<double>(emtr::downsample_surface(cloud, leaf).points.size());
+  };
+  for (const double asked : {1e-3, 4e-3, 1e-2, 0.1}) {  // too many voxels for a bit each, and not
+    double leaf = r.normalized.leaf_of_radii(asked);
+    for (int attempt = 0; attempt < 4; ++attempt) {
+      const double filling = std::min(points_per_voxel(r.normalized.source, leaf),
+                                      points_per_voxel(r.normalized.target, leaf));
+      if (filling >= 3) break;
+      leaf = r.normalized.leaf(leaf * std::sqrt(1.1 * 3 / filling));
+    }
+    EXPECT_EQ(emtr::fine_surfaces(r.normalized, asked, 1, kernels).leaf(), leaf) << asked;
+  }
 }
 
 TEST(Refine, MendsADegreeAndAHundredth) {

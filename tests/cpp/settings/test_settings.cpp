@@ -77,6 +77,17 @@ TEST(Settings, RefusesContradictions) {
   EXPECT_TRUE(refused("complement_scale_start", 0.1, "complement_scale_end", 0.2));
 }
 
+TEST(Settings, RefusesACoarseSearchByHardlyAnyPoints) {
+  Settings s = emtr::preset("default");
+  for (const double points : {0, 100, 20000}) {
+    emtr::set(s, "coarse_points", points);
+    EXPECT_NO_THROW(emtr::validate(s)) << points;
+  }
+  emtr::set(s, "coarse_points", 99);
+  EXPECT_EQ(message_of([&] { emtr::validate(s); }),
+            "setting 'coarse_points' is 99, expected 0 or from 100 on");
+}
+
 TEST(Settings, RefusesAGuessThatIsNoRigidMotion) {
   Settings s = emtr::preset("default");
   s.has_guess = 1;  // all zero
