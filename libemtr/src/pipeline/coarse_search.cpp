@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "pipeline/problem.h"
 #include "pipeline/rival_results.h"
@@ -22,7 +24,7 @@ constexpr std::int32_t kPopulation = 20, kCandidates = 6;
 bool is_asked_for(const Settings& s) {
   return s.coarse_points > s.sparse_points && s.coarse_points < s.dense_points &&
          s.candidates > 0 && s.seeds > 0 && s.correspondence_count == 0 &&
-         s.fallback_search != static_cast<std::int32_t>(When::Always);
+         !(s.fallback_search == When::Always);
 }
 
 Settings coarse(Settings settings) {

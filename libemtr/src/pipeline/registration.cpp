@@ -115,8 +115,8 @@ std::unique_ptr<Result> register_clouds(InputCloud& source, InputCloud& target,
   if (fixed && sizes == Sizes::Alike) return register_whole(run);
   auto result = fixed ? register_both_ways(run, sizes)
                       : register_unknown_scale(source, target, settings, token, run.seconds);
-  // Counts all that is not in the stages of the result as search. There is always one: the whole's
-  // is missing only beside one of the parts. NOLINTNEXTLINE(clang-analyzer-core.NullDereference)
+  // Counts all that is not in the stages of the result as search.
+  // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): without one of parts there is the whole's
   double& search = fixed ? result->seconds_fallback_search : result->seconds_scale_search;
   const double seconds = stopwatch.lap();
   search += seconds - result->seconds_total;
