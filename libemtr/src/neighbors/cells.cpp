@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/range.h"
+
 namespace emtr {
 namespace {
 
@@ -17,10 +19,10 @@ CellLayout make_cell_layout(const Cloud& cloud, float radius, float border, floa
   const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};
   float extent[3], largest = 0;
   for (int a = 0; a < 3; ++a) {
-    const auto [low, high] = std::minmax_element(axes[a]->begin(), axes[a]->end());
-    out.view.origin[a] = *low - border;
-    extent[a] = *high + border - out.view.origin[a];
-    largest = std::max({largest, std::abs(*low - border), std::abs(*high + border)});
+    const auto [low, high] = range_of(*axes[a]);
+    out.view.origin[a] = low - border;
+    extent[a] = high + border - out.view.origin[a];
+    largest = std::max({largest, std::abs(low - border), std::abs(high + border)});
   }
   std::int32_t along;
   for (;; cell *= 1.25f) {

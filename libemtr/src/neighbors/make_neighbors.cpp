@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/range.h"
 #include "neighbors/neighbors.h"
 
 namespace emtr {
@@ -10,8 +11,8 @@ constexpr float kCells[] = {1, 1.5f, 2, 3, 4, 6};  // sides of a grid's cells, s
 constexpr double kCached = 2e6;                    // bytes of a grid that stay near the processor
 
 double extent(const std::vector<float>& axis) {
-  const auto [low, high] = std::minmax_element(axis.begin(), axis.end());
-  return static_cast<double>(*high) - static_cast<double>(*low);
+  const auto [low, high] = range_of(axis);
+  return static_cast<double>(high) - static_cast<double>(low);
 }
 
 /// Returns about the distance between neighboring points: a scan covers about half of its box's

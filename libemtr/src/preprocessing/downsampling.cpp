@@ -95,14 +95,17 @@ class Downsampler {
   Downsampler(const NormalizedPair& pair, const Settings& settings)
       : pair_(pair),
         settings_(settings),
-        // Filters both clouds at once where that is worth waking a thread for.
-        threads_(pair.source.size() + pair.target.size() > 200000 ? thread_count(settings) : 1),
+        threads_(thread_count(settings)),
         counters_{VoxelCounter(pair.source), VoxelCounter(pair.target)} {}
 
   void dense(DownsampledClouds& out) {
     // Two half balls of radius 1 have a surface of about 10.
     check_cancelled();
-    const auto count = [&](float leaf) { return counters_[0](leaf) + counters_[1](leaf); };
+    const auto count = [&](float leaf) {
+      std::size_t counts[2];
+      parallel_for(2, threads_, [&](std::size_t i) { counts[i] = counters_[i](leaf); });
+      return counts[0] + counts[1];
+    };
     out.leaf_dense = find_leaf(count, settings_.dense_points, finest_leaf(pair_, settings_),
                                std::sqrt(10.0 / settings_.dense_points));
     out.leaf_dense = on_ladder(grown_leaf(out.leaf_dense));
@@ -141,8 +144,14 @@ class Downsampler {
   double grown_leaf(double leaf) {
     constexpr double kStep = 1.189207115002721;  // the fourth root of 2
     const double largest = std::min(settings_.maximum_leaf_growth * leaf, kCoarsestLeaf);
-    while (leaf * kStep <= largest && (lies_along_curves(0, leaf) || lies_along_curves(1, leaf)))
+    while (leaf * kStep <= largest) {
+      bool along_curves[2];
+      parallel_for(2, threads_, [&](std::size_t i) {
+        along_curves[i] = lies_along_curves(static_cast<int>(i), leaf);
+      });
+      if (!along_curves[0] && !along_curves[1]) break;
       leaf *= kStep;
+    }
     return leaf;
   }
 

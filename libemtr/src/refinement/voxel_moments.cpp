@@ -1,5 +1,6 @@
 #include "refinement/voxel_moments.h"
 
+#include "geometry/range.h"
 #include "util/cancellation.h"
 #include "voxels/voxel_order.h"
 
@@ -16,9 +17,9 @@ VoxelLattice::VoxelLattice(const Cloud& cloud, double leaf, int margin)
     : inverse(1 / static_cast<float>(leaf)) {
   const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};
   for (int a = 0; a < 3; ++a) {
-    const auto [minimum, maximum] = std::minmax_element(axes[a]->begin(), axes[a]->end());
-    low[a] = cell(*minimum) - margin;
-    size[a] = cell(*maximum) - low[a] + margin + 1;
+    const Range range = range_of(*axes[a]);
+    low[a] = cell(range.low) - margin;
+    size[a] = cell(range.high) - low[a] + margin + 1;
   }
 }
 

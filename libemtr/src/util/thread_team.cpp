@@ -8,6 +8,7 @@
 #include "util/blocked_signals.h"
 #include "util/default_arithmetic.h"
 #include "util/openmp_pool.h"
+#include "util/spin_wait.h"
 #include "util/thread_probe.h"
 
 namespace emtr {
@@ -83,9 +84,10 @@ void ThreadTeam::parallel(std::size_t n, const Job& job) {
 
 /// Meanwhile the run's own thread goes on asking its caller.
 void ThreadTeam::wait_for_helpers() {
+  const auto done = [this] { return busy_ == 0; };
+  spin_wait(done);
   std::unique_lock<std::mutex> lock(mutex_);
   open_ = false;
-  const auto done = [this] { return busy_ == 0; };
   while (token_ && !failure_ && !idle_.wait_for(lock, std::chrono::milliseconds(10), done)) {
     lock.unlock();
     try {
@@ -107,6 +109,9 @@ void ThreadTeam::follow(std::size_t thread) {
   const CancellationScope scope(token_, owner);
   std::unique_lock<std::mutex> lock(mutex_);
   for (std::size_t seen = 0;;) {
+    lock.unlock();
+    spin_wait([&] { return dismissed_ || round_ != seen; });
+    lock.lock();
     wake_.wait(lock, [&] { return dismissed_ || (open_ && round_ != seen); });
     if (dismissed_) return;
     seen = round_;

@@ -11,9 +11,9 @@
 
 namespace emtr {
 
-/// The threads of one OpenMP parallel region. Between two pieces of work they sleep, as threads
-/// that spin are slower than one alone on a machine with other work to do; between two regions it
-/// is OpenMP that has them spin. So a registration opens one for all of its stages.
+/// The threads of one OpenMP parallel region. Between two pieces of work they soon sleep, as
+/// threads that spin on are slower than one alone on a machine with other work to do; between two
+/// regions it is OpenMP that has them spin. So a registration opens one for all of its stages.
 class ThreadTeam {
  public:
   /// Runs body(team) on the calling thread, in a parallel region with up to `threads` threads.
@@ -47,10 +47,10 @@ class ThreadTeam {
   const Job* job_ = nullptr;
   std::size_t size_ = 0;  // of the present piece of work
   std::atomic<std::size_t> next_{0};
-  std::size_t busy_ = 0;   // helpers at it
-  std::size_t round_ = 0;  // pieces of work given out so far
-  bool open_ = false;      // helpers that wake too late for a piece leave it alone
-  bool dismissed_ = false;
+  std::atomic<std::size_t> busy_{0};   // helpers at it
+  std::atomic<std::size_t> round_{0};  // pieces of work given out so far
+  bool open_ = false;                  // helpers that wake too late for a piece leave it alone
+  std::atomic<bool> dismissed_{false};
   std::exception_ptr failure_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/range.h"
+
 namespace emtr {
 namespace {
 
@@ -17,9 +19,9 @@ CellGrid::CellGrid(const Cloud& cloud, double side) : side_(side * (1 + 4 * kRou
   const std::vector<float>* axes[3] = {&cloud.x, &cloud.y, &cloud.z};
   double low[3], extent[3];
   for (int a = 0; a < 3; ++a) {
-    const auto [minimum, maximum] = std::minmax_element(axes[a]->begin(), axes[a]->end());
-    low[a] = cloud.size() ? double{*minimum} : 0;
-    extent[a] = cloud.size() ? double{*maximum} - low[a] : 0;
+    const auto range = cloud.size() ? range_of(*axes[a]) : emtr::Range{0, 0};
+    low[a] = double{range.low};
+    extent[a] = double{range.high} - low[a];
   }
   const auto cells = [&] {
     double product = 1;

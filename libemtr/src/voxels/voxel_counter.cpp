@@ -13,15 +13,8 @@ std::size_t count_bits(std::uint64_t word) {
 
 }  // namespace
 
-VoxelCounter::VoxelCounter(const Cloud& cloud) : cloud_(cloud) {
-  const auto range = [](const std::vector<float>& v) {
-    const auto [low, high] = std::minmax_element(v.begin(), v.end());
-    return Range{*low, *high};
-  };
-  x_ = range(cloud.x);
-  y_ = range(cloud.y);
-  z_ = range(cloud.z);
-}
+VoxelCounter::VoxelCounter(const Cloud& cloud)
+    : cloud_(cloud), x_(range_of(cloud.x)), y_(range_of(cloud.y)), z_(range_of(cloud.z)) {}
 
 std::size_t VoxelCounter::operator()(float leaf) {
   const float inverse = 1.0f / leaf;

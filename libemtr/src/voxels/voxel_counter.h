@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/cloud.h"
+#include "geometry/range.h"
 
 namespace emtr {
 
@@ -17,9 +18,6 @@ class VoxelCounter {
   std::size_t operator()(float leaf);
 
  private:
-  struct Range {
-    float low, high;
-  };
   const Cloud& cloud_;
   Range x_, y_, z_;
   std::vector<std::uint64_t> occupied_;  // a bit for each voxel of the cloud's bounding box
