@@ -53,11 +53,10 @@ EMTR_INLINE void find_buckets(const GridView& g, const Found& found, Bucket* buc
   }
 }
 
-/// Writes out[k] = squared distance of the k-th query found, at most the limit.
+/// Writes the bucket of the k-th query found, and out[k] = its squared distance, at most the limit.
 EMTR_INLINE void query_squared_distances(const GridView& g, const PointsView& q, Found& found,
-                                         float* out) {
+                                         Bucket* buckets, float* out) {
   if (found.size == 0) return;
-  Bucket buckets[kBatch + kQueriesAtOnce];
   find_buckets(g, found, buckets);
   // Fills the last set up by repeating a query.
   for (std::size_t k = 0; k < kQueriesAtOnce; ++k) {
@@ -73,29 +72,42 @@ EMTR_INLINE void query_squared_distances(const GridView& g, const PointsView& q,
   }
 }
 
-/// Returns the first candidate of a cell at exactly this distance; there is one.
-EMTR_INLINE std::int32_t candidate_at(const GridView& g, std::uint32_t cell, const Query& q,
+/// Returns a bit for each candidate of a block that is at this distance; none is nearer.
+EMTR_INLINE std::uint32_t bits_at(const GridView& g, std::uint32_t block, const Query& q,
+                                  const Eight& squared) {
+  return bits_of(squared >= to_candidates(g, block, q));
+}
+
+/// Returns the first candidate of a bucket at exactly this distance; there is one.
+EMTR_INLINE std::int32_t candidate_at(const GridView& g, const Bucket& bucket, const Query& q,
                                       float squared) {
-  const Bucket bucket = bucket_of(g, cell);
-  const Eight nearest = broadcast<kLanes>(squared);  // no candidate is nearer
-  for (std::uint32_t block = bucket.first, next = bucket.begin;; block = next++)
-    if (const std::uint32_t at = bits_of(nearest >= to_candidates(g, block, q)))
-      return static_cast<std::int32_t>(block * kLanes) + __builtin_ctz(at);
+  const Eight nearest = broadcast<kLanes>(squared);
+  std::uint32_t blocks[2] = {bucket.first, bucket.begin < bucket.end ? bucket.begin : bucket.first};
+  std::uint32_t at = bits_at(g, blocks[0], q, nearest) | bits_at(g, blocks[1], q, nearest)
+                                                             << kLanes;
+  for (std::uint32_t b = bucket.begin + 1; __builtin_expect(at == 0, 0); ++b) {
+    blocks[0] = b;
+    at = bits_at(g, b, q, nearest);
+  }
+  const auto place = static_cast<std::uint32_t>(__builtin_ctz(at));
+  return static_cast<std::int32_t>(blocks[place / kLanes] * kLanes + place % kLanes);
 }
 
 void squared_distances(const GridView& g, const PointsView& queries, float* out) {
   Found found;
+  Bucket buckets[kBatch + kQueriesAtOnce];
   float squared[kBatch + kQueriesAtOnce];
   for_each_batch(queries, [&](const PointsView& q, std::size_t first) {
     for (std::size_t i = 0; i < q.size; ++i) out[first + i] = g.cells.limit;
     find_occupied(g.cells, q, found);
-    query_squared_distances(g, q, found, squared);
+    query_squared_distances(g, q, found, buckets, squared);
     for (std::size_t k = 0; k < found.size; ++k) out[first + found.query[k]] = squared[k];
   });
 }
 
 void nearest(const GridView& g, const PointsView& queries, std::int32_t* candidate, float* out) {
   Found found;
+  Bucket buckets[kBatch + kQueriesAtOnce];
   float squared[kBatch + kQueriesAtOnce];
   for_each_batch(queries, [&](const PointsView& q, std::size_t first) {
     for (std::size_t i = 0; i < q.size; ++i) {
@@ -103,12 +115,12 @@ void nearest(const GridView& g, const PointsView& queries, std::int32_t* candida
       candidate[first + i] = -1;
     }
     find_occupied(g.cells, q, found);
-    query_squared_distances(g, q, found, squared);
+    query_squared_distances(g, q, found, buckets, squared);
     for (std::size_t k = 0; k < found.size; ++k) {
       const std::size_t i = found.query[k];
       if (!(squared[k] < g.cells.limit)) continue;
       out[first + i] = squared[k];
-      candidate[first + i] = candidate_at(g, found.cell[k], query_at(q, i), squared[k]);
+      candidate[first + i] = candidate_at(g, buckets[k], query_at(q, i), squared[k]);
     }
   });
 }
