@@ -12,6 +12,7 @@
 //
 #include "kernels/bins.inl"
 #include "kernels/consistency.inl"
+#include "kernels/pairs.inl"
 #include "kernels/reach.inl"
 #include "kernels/sampling.inl"
 #include "kernels/seed_steps.inl"
@@ -49,6 +50,7 @@ constexpr SearchKernels search() {
   k.pose_inliers = pose_inliers;
   k.sampling_sums = sampling_sums;
   k.add_rho = add_rho;
+  k.plane_to_plane = plane_to_plane;
   k.direction_bins = direction_bins;
   k.vote = vote;
   return k;

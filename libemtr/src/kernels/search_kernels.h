@@ -6,7 +6,8 @@
 #include "kernels/kernels.h"
 
 // Declares the inner loops of single steps of the search: candidate grids that are made, seeds,
-// a sensor's place, votes for translations. The rules of kernels/kernels.h hold for them too.
+// a sensor's place, votes for translations, sums over the matched pairs of a pose. The rules of
+// kernels/kernels.h hold for them too.
 
 namespace emtr {
 
@@ -54,6 +55,20 @@ struct VoteCells {
   std::int32_t row;    ///< cells from one row to the next
 };
 
+/// Matched pairs, in all arrays a multiple of kLanes; padding has normals of NaN.
+struct PairsView {
+  const float *source[6], *target[6];  ///< x, y, z and the normal's
+  std::size_t size;
+};
+
+/// The parameters of refinement/plane_to_plane.
+struct PlaneToPlaneView {
+  double R[9], t[3];  ///< of the pose; row-major
+  double inverse_squared_scale, softness, gate;
+};
+
+constexpr std::size_t kPairSums = 42;  ///< the numbers of refinement/normal_equations, in order
+
 /// Bins of directions, see ranking/direction_bins; columns and rows may be one beyond the last.
 struct BinsOut {
   std::int32_t *face, *column, *row;
@@ -87,6 +102,9 @@ struct SearchKernels {
   /// Adds rho(squared[i]) to lane i % kLanes of the sums; n is a multiple of kLanes but in the last
   /// call. total_of_lanes() of them is Kernels::rho_sum() of all.
   void (*add_rho)(const float* squared, std::size_t n, float inverse_squared_scale, double* sums);
+
+  /// Writes the sums over all pairs.
+  void (*plane_to_plane)(const PairsView& pairs, const PlaneToPlaneView& at, double* sums);
 
   /// Writes the bin of each direction, of any length. All arrays have room for a multiple of 16.
   void (*direction_bins)(const PointsView& directions, float half_side, const BinsOut& out);

@@ -1,20 +1,10 @@
 // Counts the inliers of a seed's pose. Included by each instruction set's file.
 
-#include "kernels/lanes.h"
+#include "kernels/doubles.inl"
 #include "kernels/search_kernels.h"
 
 namespace emtr::EMTR_KERNEL {
 namespace {
-
-constexpr std::size_t kDoubles = EMTR_REGISTER >= 8 ? 4 : 2;
-typedef double Doubles __attribute__((vector_size(8 * kDoubles)));
-typedef float Halves __attribute__((vector_size(4 * kDoubles)));
-
-EMTR_INLINE Doubles load_doubles(const float* from) {
-  Halves half;
-  __builtin_memcpy(&half, from, sizeof half);
-  return __builtin_convertvector(half, Doubles);
-}
 
 /// Returns a bit for each number below the limit.
 EMTR_INLINE std::uint64_t bits_below(const Doubles& value, double limit) {

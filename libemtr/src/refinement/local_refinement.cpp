@@ -7,6 +7,7 @@
 
 #include "geometry/small_motion.h"
 #include "refinement/constrained_step.h"
+#include "refinement/matched_pairs.h"
 #include "refinement/plane_to_plane.h"
 #include "util/error.h"
 
@@ -38,6 +39,7 @@ LocalRefinement::LocalRefinement(const SharedSurface& source, const SharedSurfac
                                  const LocalRefinementSettings& settings, const Kernels& kernels)
     : settings_(validated(settings)),
       leaf_(target->leaf),
+      kernels_(kernels),
       matcher_({source, settings.queries, settings.first_queries},
                {target, settings.queries, settings.first_queries}, near_source, near_target,
                kernels) {
@@ -58,10 +60,11 @@ void LocalRefinement::accumulate(const State& at, Scratch& s, ThreadTeam& team,
     const bool reversed = b >= blocks;
     const std::size_t begin = (reversed ? b - blocks : b) * kBlock,
                       end = std::min(begin + kBlock, reversed ? m : n);
-    matcher_.for_each_match(at.pose, reach(at), {reversed, begin, end, b * kBlock}, s.matches,
-                            [&](const SurfacePoint& source, const SurfacePoint& target) {
-                              estimator.add(source, target, s.blocks[b]);
-                            });
+    MatchedPairs<kBlock> pairs;
+    matcher_.for_each_match(
+        at.pose, reach(at), {reversed, begin, end, b * kBlock}, s.matches,
+        [&](const SurfacePoint& source, const SurfacePoint& target) { pairs.add(source, target); });
+    s.blocks[b] = estimator.sums(pairs.view(), kernels_);
   });
   const auto share = [](double inliers, std::size_t queries) {
     return queries ? inliers / static_cast<double>(queries) : 0;

@@ -90,6 +90,7 @@ class LocalRefinement {
 
   const LocalRefinementSettings settings_;
   const double leaf_;
+  const Kernels& kernels_;
   const SurfaceMatcher matcher_;
 };
 

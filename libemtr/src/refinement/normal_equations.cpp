@@ -1,6 +1,24 @@
 #include "refinement/normal_equations.h"
 
+#include <algorithm>
+
 namespace emtr {
+
+NormalEquations NormalEquations::of(const double sums[kPairSums]) {
+  NormalEquations out;
+  const double* next = sums;
+  const auto take = [&next](double* to, std::size_t count) {
+    std::copy_n(next, count, to);
+    next += count;
+  };
+  take(out.H, 21);
+  take(out.g, 6);
+  take(out.tangents, 10);
+  for (double* one :
+       {&out.weights, &out.squares, &out.squared_influence, &out.slopes, &out.inliers})
+    take(one, 1);
+  return out;
+}
 
 void NormalEquations::add(const NormalEquations& other) {
   for (int k = 0; k < 21; ++k) H[k] += other.H[k];

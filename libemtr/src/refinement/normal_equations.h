@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "kernels/search_kernels.h"
+
 namespace emtr {
 
 /// Sums over the matched pairs of one pose. The small motion x that they refer to is a rotation
@@ -17,6 +19,9 @@ struct NormalEquations {
   double squared_influence = 0;  ///< sum of (w e)^2
   double slopes = 0;   ///< sum of d(w e)/de, what is left of w where the M-estimator bends
   double inliers = 0;  ///< how many pairs have a weight above zero
+
+  /// Returns the sums that are in an array in the order of the fields.
+  static NormalEquations of(const double sums[kPairSums]);
 
   /// Adds a residual e with its derivative J and weight w.
   void add_normal(const double J[6], double e, double w) {

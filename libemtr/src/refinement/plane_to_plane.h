@@ -4,6 +4,7 @@
 
 #include "geometry/rigid.h"
 #include "geometry/surface.h"
+#include "kernels/search_kernels.h"
 #include "refinement/normal_equations.h"
 
 namespace emtr {
@@ -22,7 +23,60 @@ class PlaneToPlane {
   PlaneToPlane(const Rigid& pose, double scale, double eps, double gate)
       : pose_(pose), inverse_(1 / (scale * scale)), eps_(eps), gate_(gate) {}
 
+  /// Returns the sums over many pairs: those of add() but for rounding.
+  NormalEquations sums(const PairsView& pairs, const Kernels& kernels) const {
+    PlaneToPlaneView at{};
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) at.R[3 * a + b] = pose_.R(a, b);
+      at.t[a] = pose_.t[a];
+    }
+    at.inverse_squared_scale = inverse_;
+    at.softness = eps_;
+    at.gate = gate_;
+    double sums[kPairSums];
+    search_kernels(kernels).plane_to_plane(pairs, at, sums);
+    return NormalEquations::of(sums);
+  }
+
+  /// Adds one pair.
   void add(const SurfacePoint& source, const SurfacePoint& target, NormalEquations& sums) const {
+    Terms t;
+    if (!evaluate(source, target, t)) return;
+    sums.add_normal(t.J, t.e, t.weight_of_normal());
+    sums.add_difference(t.y.data(), t.d.data(), t.tukey * eps_);
+    const double w = t.tukey * t.along;
+    sums.weights += w;
+    sums.squares += w * t.squared;
+    sums.squared_influence += w * w * t.squared;
+    sums.slopes += t.along * t.bend * (t.bend - 4 * t.along * t.squared * inverse_);
+    sums.inliers += 1;
+  }
+
+  /// Writes what one pair adds to g; returns whether it adds anything.
+  bool gradient(const SurfacePoint& source, const SurfacePoint& target, double g[6]) const {
+    Terms t;
+    if (!evaluate(source, target, t)) return false;
+    const double w = t.weight_of_normal() * t.e;
+    const Eigen::Vector3d wd = (t.tukey * eps_) * t.d, lever = t.y.cross(wd);
+    for (int a = 0; a < 3; ++a) {
+      g[a] = w * t.J[a] + lever[a];
+      g[3 + a] = w * t.J[3 + a] + wd[a];
+    }
+    return true;
+  }
+
+ private:
+  struct Terms {
+    Eigen::Vector3d y, d;  // the moved point, and from its match to it
+    double J[6], e;        // of the residual along v, not of unit length
+    double squared;        // (u.d)^2
+    double variance, inverse, along, bend, tukey;
+
+    double weight_of_normal() const { return tukey * along * variance * inverse; }
+  };
+
+  /// Returns whether the pair has a weight above zero.
+  bool evaluate(const SurfacePoint& source, const SurfacePoint& target, Terms& out) const {
     const Eigen::Vector3d p = Eigen::Vector3d(source.p[0], source.p[1], source.p[2]),
                           q = Eigen::Vector3d(target.p[0], target.p[1], target.p[2]),
                           n = Eigen::Vector3d(target.n[0], target.n[1], target.n[2]);
@@ -30,7 +84,7 @@ class PlaneToPlane {
     const Eigen::Vector3d m = pose_.rotate({source.n[0], source.n[1], source.n[2]});
     const double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
     const double c = std::abs(cosine);
-    if (!(c > gate_)) return;  // not for a NaN either
+    if (!(c > gate_)) return false;  // not for a NaN either
     // u = v / |v|, which enters in squares only: no root is taken.
     const double sign = cosine < 0 ? -1 : 1, squared_length = 2 + 2 * c,
                  variance = 2 * eps_ + (1 - eps_) * (1 - c);
@@ -38,27 +92,24 @@ class PlaneToPlane {
     const double along = 2 * eps_ * squared_length * inverse - eps_;
     const double v[3] = {n[0] + sign * m[0], n[1] + sign * m[1], n[2] + sign * m[2]};
     const double e = v[0] * d[0] + v[1] * d[1] + v[2] * d[2];
-    const double squared = e * e * variance * inverse;  // (u.d)^2
+    const double squared = e * e * variance * inverse;
     const double cost = along * squared + eps_ * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     const double bend = 1 - cost * inverse_;
-    if (!(bend > 0)) return;
-    const double tukey = bend * bend, w = tukey * along;
-    const double J[6] = {y[1] * v[2] - y[2] * v[1],
-                         y[2] * v[0] - y[0] * v[2],
-                         y[0] * v[1] - y[1] * v[0],
-                         v[0],
-                         v[1],
-                         v[2]};
-    sums.add_normal(J, e, w * variance * inverse);
-    sums.add_difference(y.data(), d.data(), tukey * eps_);
-    sums.weights += w;
-    sums.squares += w * squared;
-    sums.squared_influence += w * w * squared;
-    sums.slopes += along * bend * (bend - 4 * along * squared * inverse_);
-    sums.inliers += 1;
+    if (!(bend > 0)) return false;
+    out = {y,
+           d,
+           {y[1] * v[2] - y[2] * v[1], y[2] * v[0] - y[0] * v[2], y[0] * v[1] - y[1] * v[0], v[0],
+            v[1], v[2]},
+           e,
+           squared,
+           variance,
+           inverse,
+           along,
+           bend,
+           bend * bend};
+    return true;
   }
 
- private:
   Rigid pose_;
   double inverse_, eps_, gate_;
 };

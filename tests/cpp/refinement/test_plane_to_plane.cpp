@@ -2,10 +2,13 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <cstring>
 
 #include "geometry/small_motion.h"
+#include "refinement/matched_pairs.h"
 #include "refinement/plane_to_plane.h"
 #include "refinement/shapes.h"
+#include "support/clouds.h"
 
 namespace {
 
@@ -120,6 +123,55 @@ TEST(PlaneToPlane, LeavesOutFarPairsOtherNormalsAndNone) {
   PlaneToPlane(match.pose, kScale, kEps, 0).add(match.source(), bare, none);
   EXPECT_EQ(none.inliers, 0);
   EXPECT_EQ(none.weights, 0);
+}
+
+TEST(PlaneToPlane, ManyPairsHaveTheSumsOfEachByEveryInstructionSet) {
+  const Match match;
+  const emtr::Cloud off = emtr_test::uniform_cloud(203, 5);
+  const PlaneToPlane estimator(match.pose, kScale, kEps, 0.7);
+  emtr::MatchedPairs<256> pairs;
+  NormalEquations one_by_one;
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    Match other = match;
+    const Eigen::Vector3d here(off.x[i], off.y[i], off.z[i]);
+    other.p += here;
+    other.d = 0.03 * here;   // some are beyond the cut-off
+    other.tilt = 50 * here;  // and some beyond the gate
+    SurfacePoint source = other.source();
+    if (i % 20 == 0) source.n[0] = source.n[1] = source.n[2] = std::nanf("");
+    if (i % 3 == 0)
+      for (float& n : source.n) n = -n;
+    pairs.add(source, other.target());
+    estimator.add(source, other.target(), one_by_one);
+  }
+  ASSERT_GT(one_by_one.inliers, 40);
+  ASSERT_LT(one_by_one.inliers, 190);
+  double expected[36], found[36];
+  one_by_one.full_matrix(expected);
+  const NormalEquations first = estimator.sums(pairs.view(), *emtr::kernels_at(0));
+  first.full_matrix(found);
+  for (int k = 0; k < 36; ++k) EXPECT_NEAR(found[k], expected[k], 1e-11) << k;
+  for (int k = 0; k < 6; ++k) EXPECT_NEAR(first.g[k], one_by_one.g[k], 1e-11) << k;
+  EXPECT_EQ(first.inliers, one_by_one.inliers);
+  EXPECT_NEAR(first.weights, one_by_one.weights, 1e-11);
+  EXPECT_NEAR(first.squares, one_by_one.squares, 1e-11);
+  EXPECT_NEAR(first.squared_influence, one_by_one.squared_influence, 1e-11);
+  EXPECT_NEAR(first.slopes, one_by_one.slopes, 1e-11);
+  for (const emtr::Kernels* k : emtr_test::kernels_here()) {
+    const NormalEquations sums = estimator.sums(pairs.view(), *k);
+    EXPECT_EQ(std::memcmp(&sums, &first, sizeof sums), 0) << k->name;
+  }
+}
+
+TEST(PlaneToPlane, GradientIsWhatAPairAdds) {
+  const Match match;
+  double gradient[6];
+  const PlaneToPlane estimator(match.pose, kScale, kEps, 0.7);
+  ASSERT_TRUE(estimator.gradient(match.source(), match.target(), gradient));
+  const NormalEquations sums = match.sums();
+  for (int k = 0; k < 6; ++k) EXPECT_NEAR(gradient[k], sums.g[k], 1e-15) << k;
+  EXPECT_FALSE(PlaneToPlane(match.pose, 0.005, kEps, 0.7)
+                   .gradient(match.source(), match.target(), gradient));
 }
 
 TEST(Moved, IsTheExponentialOnTheLeftAndStaysARotation) {
