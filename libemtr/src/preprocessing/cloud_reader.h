@@ -63,6 +63,9 @@ class CloudReader {
     return single_ ? read<float>(index, p) : read<double>(index, p);
   }
 
+  /// Fetches a point that is read soon.
+  void prefetch(std::size_t index) const { __builtin_prefetch(first_ + index * stride_); }
+
   /// Reads a direction and makes it of unit length; writes NaN when it is not finite or has no
   /// length.
   void read_direction(std::size_t index, float n[3]) const {

@@ -53,13 +53,16 @@ Dispersion dispersion_about(const Eigen::Vector3d& center, double unit, const Cl
   const double inverse = 1 / unit;
   std::vector<Dispersion> parts(reader.blocks());
   parallel_for(parts.size(), threads, [&](std::size_t block) {
-    Dispersion part;
+    // Plain numbers, which stay in registers.
+    double squared_radius = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     reader.each_finite(block, [&](std::size_t, const double* p) {
       const Eigen::Vector3d u = (Eigen::Vector3d::Map(p) - center) * inverse;
-      part.squared_radius = std::max(part.squared_radius, u.squaredNorm());
-      part.covariance += u * u.transpose();
+      squared_radius = std::max(squared_radius, u.squaredNorm());
+      xx += u.x() * u.x(), xy += u.x() * u.y(), xz += u.x() * u.z();
+      yy += u.y() * u.y(), yz += u.y() * u.z(), zz += u.z() * u.z();
     });
-    parts[block] = part;
+    parts[block].squared_radius = squared_radius;
+    parts[block].covariance << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   });
   Dispersion total;
   for (const Dispersion& part : parts) {

@@ -1,5 +1,6 @@
 #include "preprocessing/slab_voxel_grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -14,6 +15,7 @@ namespace emtr {
 namespace {
 
 constexpr std::size_t kSlabPoints = 1u << 16;  // a slab and its filter stay in the caches
+constexpr std::uint32_t kAhead = 16;           // points, the places of a layer are all over a block
 
 /// The places of one block's finite points, ordered by layer, and where each layer begins.
 struct Block {
@@ -45,15 +47,15 @@ Block sort_by_layer(const CloudReader& reader, std::size_t number, const Extent&
   Block block;
   block.places.resize(extent.finite[number]);
   block.begin.assign(layers.size() + 1, 0);
-  std::vector<std::uint16_t> layer, place;
-  layer.reserve(block.places.size());
-  place.reserve(block.places.size());
+  std::vector<std::uint16_t> layer(block.places.size()), place(block.places.size());
+  std::size_t k = 0;
   reader.each_finite(number, [&](std::size_t i, const double* p) {
     float q[3];
     extent.to_unit_ball(p, q);
     const std::size_t at = layers.of(q[extent.longest]);
-    layer.push_back(static_cast<std::uint16_t>(at));
-    place.push_back(static_cast<std::uint16_t>(i));
+    layer[k] = static_cast<std::uint16_t>(at);
+    place[k] = static_cast<std::uint16_t>(i);
+    ++k;
     ++block.begin[at + 1];
   });
   for (std::size_t i = 0; i < layers.size(); ++i) block.begin[i + 1] += block.begin[i];
@@ -85,22 +87,27 @@ BasePoints gather(const CloudReader& reader, const PointData& data, const Extent
   if (data.normals) out.normals.resize(count);
   if (data.colors) out.colors.resize(count);
   std::size_t row = 0;
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    for (std::uint32_t i = blocks[b].begin[first]; i < blocks[b].begin[last]; ++i, ++row) {
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const std::uint32_t end = blocks[b].begin[last];
+    for (std::uint32_t i = blocks[b].begin[first]; i < end; ++i, ++row) {
       double p[3];
       float q[3];
-      const std::size_t at = b * CloudReader::kBlock + blocks[b].places[i];
-      reader.read(at, p);
+      const auto at = [&](std::uint32_t k) {
+        return b * CloudReader::kBlock + blocks[b].places[k];
+      };
+      reader.prefetch(at(std::min(i + kAhead, end - 1)));
+      reader.read(at(i), p);
       extent.to_unit_ball(p, q);
       out.points.set(row, q);
       if (data.normals) {
-        data.normals->read_direction(at, q);
+        data.normals->read_direction(at(i), q);
         out.normals.set(row, q);
       }
       if (!data.colors) continue;
-      data.colors->read(at, q);
+      data.colors->read(at(i), q);
       out.colors.set(row, q);
     }
+  }
   return out;
 }
 
