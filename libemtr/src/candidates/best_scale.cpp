@@ -20,6 +20,7 @@ constexpr double kNegligible = 0.05;           // of its logarithm
 constexpr int kIterations = 15;
 constexpr std::size_t kPoints = 1500;                                // that look for a match
 constexpr double kFirstCutOff = 4, kLastCutOff = 1, kShrink = 0.85;  // leaves
+constexpr double kConverged = 0.02;                                  // leaves, of a step
 constexpr double kDamping = 1e-4;  // of the sum of weights: a plane has no scale to be found
 
 Vector3d row(const Cloud& cloud, std::size_t i) {
@@ -35,9 +36,9 @@ Surface scaled(const Surface& surface, double factor) {
 }
 
 /// Makes one step: the matches of the source's points, Tukey's weights, and the normal equations of
-/// a small rotation, a translation, and the logarithm of the factor.
-void step(const Cloud& source, const SurfacePair& surfaces, double cut_off, const Kernels& kernels,
-          Similarity& at) {
+/// a small rotation, a translation, and the logarithm of the factor. Returns how far it went.
+double step(const Cloud& source, const SurfacePair& surfaces, double cut_off,
+            const Kernels& kernels, Similarity& at) {
   const Cloud moved = scale_cloud(source, at.scale);
   const std::size_t n = moved.size();
   Cloud y;
@@ -60,16 +61,18 @@ void step(const Cloud& source, const SurfacePair& surfaces, double cut_off, cons
     const double w = (1 - share * share) * (1 - share * share);
     Vector7 J;
     J << p.cross(normal), normal, normal.dot(p - at.pose.t);
-    H += w * J * J.transpose();
+    for (int a = 0; a < 7; ++a)
+      for (int b = 0; b <= a; ++b) H(a, b) += w * J[a] * J[b];
     g += w * e * J;
     weights += w;
   }
   H.diagonal().array() += kDamping * weights + 1e-12;
   const Vector7 x = -H.ldlt().solve(g);
-  if (!x.allFinite()) return;
+  if (!x.allFinite()) return 0;
   // A change of scale about the source's centroid, which the pose maps to its translation.
   at.scale = std::clamp(at.scale * std::exp(std::clamp(x[6], -0.1, 0.1)), kLeast, kMost);
   at.pose = emtr::moved(at.pose, x.data());
+  return x.norm();
 }
 
 }  // namespace
@@ -80,7 +83,9 @@ Rescaled best_scale(const SurfacePair& surfaces, const Rigid& pose, const Kernel
   const Surface& source = surfaces.source();
   const Cloud some = every_nth(source, 1 + source.points.size() / kPoints).points;
   for (int i = 0; i < kIterations; ++i) {
-    step(some, surfaces, cut_off * surfaces.target().leaf, kernels, at);
+    const double leaf = surfaces.target().leaf;
+    const double moved = step(some, surfaces, cut_off * leaf, kernels, at);
+    if (cut_off == kLastCutOff && moved < kConverged * leaf) break;
     cut_off = std::max(kLastCutOff, kShrink * cut_off);
   }
   Rescaled out;

@@ -30,6 +30,10 @@ SurfacePair::SurfacePair(const SharedSurface& source, const SharedSurface& targe
   ranking_.fit().add_subset(kQuickestStep);
 }
 
+void SurfacePair::make_ahead(const SharedSurface& target, const Kernels& kernels) {
+  near(target, kernels);
+}
+
 Surface surface(const Cloud& cloud, const Features& features, double leaf) {
   Surface out{cloud, {}, leaf};
   out.normals.resize(cloud.size());

@@ -21,6 +21,8 @@ class SurfacePair {
   SurfacePair(const SharedSurface& source, const SharedSurface& target,
               const std::optional<Viewpoint>& source_viewpoint,
               const std::optional<Viewpoint>& target_viewpoint, const Kernels& kernels);
+  /// Makes what a pair looks for in the memory of its target, but for what its ranking does.
+  static void make_ahead(const SharedSurface& target, const Kernels& kernels);
   SurfacePair(const SurfacePair&) = delete;
   SurfacePair& operator=(const SurfacePair&) = delete;
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -44,8 +45,6 @@ TaskAlpha::DenseReferences dense_references(const Problem& problem) {
   return {pair.source, pair.target, kSpacings * wider};
 }
 
-}  // namespace
-
 void make_tasks(Problem& problem, Stages stages) {
   const Settings& settings = problem.settings;
   const DownsampledClouds& clouds = problem.downsampled;
@@ -63,6 +62,25 @@ void make_tasks(Problem& problem, Stages stages) {
   problem.complement = std::make_unique<KnowledgeComplement>(
       clouds.source_sparse, clouds.target_sparse, std::move(far), settings, problem.kernels);
 }
+
+/// Returns the surface of one side's dense cloud, from the memory of that cloud where it is known.
+SharedSurface surface_of(int side, const Problem& problem) {
+  const DownsampledClouds& clouds = problem.downsampled;
+  const bool weighted = problem.settings.distinctiveness != 0;
+  std::vector<double> by = problem.features_by[side];
+  by.push_back(weighted);
+  return *problem.pair.remembered<SharedSurface>(side, by, [&] {
+    Surface out =
+        surface(side == 0 ? clouds.source_dense : clouds.target_dense,
+                side == 0 ? *problem.source_features : *problem.target_features, clouds.leaf_dense);
+    out.weighted = weighted;
+    return SharedSurface(std::move(out));
+  });
+}
+
+bool is_given(const std::optional<Viewpoint>& viewpoint) { return viewpoint && viewpoint->given; }
+
+}  // namespace
 
 Viewpoints find_viewpoints(const Problem& problem) {
   const Normalization& n = problem.pair.normalization;
@@ -91,23 +109,23 @@ Viewpoints find_viewpoints(const Problem& problem) {
   return found;
 }
 
-void make_surfaces(const Viewpoints& viewpoints, Problem& problem) {
-  if (problem.settings.candidates == 0) return;
-  const DownsampledClouds& clouds = problem.downsampled;
-  const bool weighted = problem.settings.distinctiveness != 0;
-  const auto remembered = [&](int side, const Cloud& cloud, const Features& features) {
-    std::vector<double> by = problem.features_by[side];
-    by.push_back(weighted);
-    return problem.pair.remembered<SharedSurface>(side, by, [&] {
-      Surface out = surface(cloud, features, clouds.leaf_dense);
-      out.weighted = weighted;
-      return SharedSurface(std::move(out));
-    });
-  };
+void make_tasks_and_surfaces(const Viewpoints& viewpoints, Stages stages, Problem& problem) {
+  const Kernels& kernels = problem.kernels;
+  if (problem.settings.candidates == 0) return make_tasks(problem, stages);
+  const SharedSurface source = surface_of(0, problem), target = surface_of(1, problem);
+  // Mostly grids that one thread makes. Surfaces with given viewpoints are ranked by copies.
+  const std::vector<std::function<void()>> parts = {
+      [&] { SurfacePair::make_ahead(target, kernels); },
+      [&] {
+        if (!is_given(viewpoints.source)) SurfaceFit::make_ahead(source, kernels);
+      },
+      [&] {
+        if (!is_given(viewpoints.target)) SurfaceFit::make_ahead(target, kernels);
+      },
+      [&] { make_tasks(problem, stages); }};
+  parallel_for(parts.size(), thread_count(problem.settings), [&](std::size_t i) { parts[i](); });
   problem.surfaces =
-      std::make_unique<SurfacePair>(*remembered(0, clouds.source_dense, *problem.source_features),
-                                    *remembered(1, clouds.target_dense, *problem.target_features),
-                                    viewpoints.source, viewpoints.target, problem.kernels);
+      std::make_unique<SurfacePair>(source, target, viewpoints.source, viewpoints.target, kernels);
 }
 
 }  // namespace emtr

@@ -7,7 +7,6 @@
 #include "settings/choices.h"
 #include "settings/validation.h"
 #include "util/error.h"
-#include "util/thread_team.h"
 
 namespace emtr {
 namespace {
@@ -50,11 +49,7 @@ void run_stages(InputCloud& source, InputCloud& target, const Settings& user, St
   progress.enter(Stage::Matching);
   match_clouds(problem);
   if (stages == Stages::Matches) return;
-  const Viewpoints viewpoints = find_viewpoints(problem);
-  // Neither needs the other, and both are mostly grids that one thread makes.
-  parallel_for(2, thread_count(settings), [&](std::size_t i) {
-    i == 0 ? make_surfaces(viewpoints, problem) : make_tasks(problem, stages);
-  });
+  make_tasks_and_surfaces(find_viewpoints(problem), stages, problem);
 
   if (settings.seeds == 0) return;
   progress.enter(Stage::Seeds);

@@ -27,10 +27,6 @@ void describe_clouds(Problem& problem);
 /// Finds correspondences, unless the user provides them, and forms TIMs of the best.
 void match_clouds(Problem& problem);
 
-/// Makes both tasks and the knowledge complement, for as many evaluations as a solution mostly
-/// needs or, for Stages::All, as all iterations make.
-void make_tasks(Problem& problem, Stages stages);
-
 /// Where the sensors stood, as far as that is known.
 struct Viewpoints {
   std::optional<Viewpoint> source, target;
@@ -39,8 +35,10 @@ struct Viewpoints {
 /// Returns the user's or, where free space counts, estimates.
 Viewpoints find_viewpoints(const Problem& problem);
 
-/// Makes the surfaces on which candidates are ranked, when the settings ask for candidates.
-void make_surfaces(const Viewpoints& viewpoints, Problem& problem);
+/// Makes both tasks and the knowledge complement, for as many evaluations as a solution mostly
+/// needs or, for Stages::All, as all iterations make; and when the settings ask for candidates, the
+/// surfaces on which these are ranked.
+void make_tasks_and_surfaces(const Viewpoints& viewpoints, Stages stages, Problem& problem);
 
 /// Finds the poses that consistent correspondences agree on.
 void find_seeds(Problem& problem);

@@ -58,6 +58,11 @@ SurfaceFit::SurfaceFit(const SharedSurface& source, const SharedSurface& target,
                        weighted(target, remembered_distinctiveness(target))}});
 }
 
+void SurfaceFit::make_ahead(const SharedSurface& surface, const Kernels& kernels) {
+  near(surface, kernels);
+  remembered_distinctiveness(surface);
+}
+
 SurfaceFit::Weighted SurfaceFit::weighted(const SharedSurface& surface,
                                           std::vector<float> weights) {
   double sum = 0;

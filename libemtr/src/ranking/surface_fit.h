@@ -51,6 +51,9 @@ class SurfaceFit {
   /// positive number, or a surface lacks points or a normal for each.
   SurfaceFit(const SharedSurface& source, const SharedSurface& target, const Kernels& kernels);
 
+  /// Makes what a fit looks for in the memory of a surface. Throws std::invalid_argument as above.
+  static void make_ahead(const SharedSurface& surface, const Kernels& kernels);
+
   SurfaceFitValue evaluate(const Rigid& pose, Scratch& scratch) const {
     return evaluate(pose, 1, scratch);
   }

@@ -21,14 +21,20 @@ double squared_length(const Gradient& g) {
   return sum;
 }
 
+/// The gradients of the pairs that one side's queries find, and where they are in the target.
+struct Gradients {
+  Cloud places;
+  std::vector<Gradient> of_pairs;
+};
+
 /// Returns the sum of squares of the gradients summed in each cube.
-double squared_by_cubes(const Cloud& places, const std::vector<Gradient>& gradients, double side) {
+double squared_by_cubes(const Gradients& gradients, double side) {
   double total = 0;
-  const std::vector<VoxelRow> rows = rows_by_voxel(places, static_cast<float>(side));
+  const std::vector<VoxelRow> rows = rows_by_voxel(gradients.places, static_cast<float>(side));
   for (std::size_t i = 0; i < rows.size();) {
     Gradient sum{};
     for (const std::uint64_t cube = rows[i].voxel; i < rows.size() && rows[i].voxel == cube; ++i)
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += gradients[rows[i].row][k];
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += gradients.of_pairs[rows[i].row][k];
     total += squared_length(sum);
   }
   return total;
@@ -36,26 +42,31 @@ double squared_by_cubes(const Cloud& places, const std::vector<Gradient>& gradie
 
 }  // namespace
 
-double LocalRefinement::design_effect(const LocalRefinementResult& refined, Scratch& s) const {
+double LocalRefinement::design_effect(const LocalRefinementResult& refined, Scratch& s,
+                                      int threads) const {
   const State at{refined.pose, settings_.last_scale * leaf_, true};
   const PlaneToPlane estimator(at.pose, at.scale, settings_.softness, settings_.normal_gate);
-  Cloud places;
-  std::vector<Gradient> gradients;
+  const std::size_t n = matcher_.source().size(), m = matcher_.target().size();
+  s.matches.grow(n + m);
+  Gradients by_side[2];
+  parallel_for(settings_.both_ways ? 2 : 1, threads, [&](std::size_t i) {
+    const bool reversed = i == 1;
+    Gradients& found = by_side[i];
+    matcher_.for_each_match(at.pose, reach(at), {reversed, 0, reversed ? m : n, reversed ? n : 0},
+                            s.matches, [&](const SurfacePoint& source, const SurfacePoint& target) {
+                              Gradient g;
+                              if (!estimator.gradient(source, target, g.data())) return;
+                              found.places.append(target.p[0], target.p[1], target.p[2]);
+                              found.of_pairs.push_back(g);
+                            });
+  });
+  Gradients& all = by_side[0];
+  all.places.append(by_side[1].places);
+  all.of_pairs.insert(all.of_pairs.end(), by_side[1].of_pairs.begin(), by_side[1].of_pairs.end());
   double pairs_squared = 0;
-  const auto visit = [&](const SurfacePoint& source, const SurfacePoint& target) {
-    Gradient gradient{};
-    if (!estimator.gradient(source, target, gradient.data())) return;
-    places.append(target.p[0], target.p[1], target.p[2]);
-    gradients.push_back(gradient);
-    pairs_squared += squared_length(gradient);
-  };
-  const auto visit_all = [&](bool reversed, const QueryPoints& queries) {
-    matcher_.for_each_match(at.pose, reach(at), {reversed, 0, queries.size(), 0}, s.matches, visit);
-  };
-  visit_all(false, matcher_.source());
-  if (settings_.both_ways) visit_all(true, matcher_.target());
+  for (const Gradient& g : all.of_pairs) pairs_squared += squared_length(g);
   if (!(pairs_squared > 0)) return 1;
-  return std::max(1.0, squared_by_cubes(places, gradients, kCluster * leaf_) / pairs_squared);
+  return std::max(1.0, squared_by_cubes(all, kCluster * leaf_) / pairs_squared);
 }
 
 }  // namespace emtr

@@ -69,7 +69,8 @@ class LocalRefinement {
   /// at least 1: found from both sides, they come twice, and neighbors share points and normals. It
   /// is the design effect of sampling in clusters (Kish 1965): the sum of squares of the cubes'
   /// summed g (see NormalEquations) over that of the pairs' own, cubes of three leaves.
-  double design_effect(const LocalRefinementResult& refined, Scratch& scratch) const;
+  double design_effect(const LocalRefinementResult& refined, Scratch& scratch,
+                       int threads = 1) const;
 
  private:
   /// Where an iteration stands.

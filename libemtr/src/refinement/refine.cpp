@@ -21,7 +21,7 @@ Refined refine(const FineSurfaces& fine, const Rigid& start, const Settings& set
   out.succeeded = true;
   out.pose = result.pose;
   out.rmse = result.rmse;
-  out.design_effect = refinement.design_effect(result, scratch);
+  out.design_effect = refinement.design_effect(result, scratch, thread_count(settings));
   information(result, out.design_effect, out.information);
   out.hessian_spectrum = hessian_spectrum(result.sums);
   out.unconstrained = prior ? unconstrained_within(out.hessian_spectrum, prior->limits(result.pose))
