@@ -41,8 +41,13 @@ void CandidateSearch::add(const std::vector<Rigid>& poses, const std::vector<Rig
 }
 
 void CandidateSearch::run_fallback_search() {
-  const auto source = orientation(surfaces_.source(), surfaces_.source_viewpoint());
-  const auto target = orientation(surfaces_.target(), surfaces_.target_viewpoint());
+  std::optional<Viewpoint> source, target;
+  parallel_for(2, threads_, [&](std::size_t i) {
+    if (i == 0)
+      source = orientation(surfaces_.source(), surfaces_.source_viewpoint());
+    else
+      target = orientation(surfaces_.target(), surfaces_.target_viewpoint());
+  });
   const auto seeds =
       admissible(find_fallback_seeds(pair_, source, target, settings_, kernels_, threads_), prior_);
   auto candidates = std::make_unique<CandidateSet>(*candidates_);

@@ -72,8 +72,11 @@ Surface make_even(const Cloud& cloud) {
 std::vector<Rigid> plane_aligned_poses(const SurfacePair& surfaces, std::size_t maximum_count,
                                        const Kernels& kernels, ThreadTeam& team) {
   if (maximum_count == 0) return {};
-  const Surface source = make_even(surfaces.source().points);
-  const Surface target = make_even(surfaces.target().points);
+  Surface source, target;
+  team.parallel(2, [&](std::size_t i, std::size_t) {
+    (i == 0 ? source : target) =
+        make_even(i == 0 ? surfaces.source().points : surfaces.target().points);
+  });
   std::vector<Upright> sources;
   for (const DominantPlane& plane : dominant_planes(source, kPlanes))
     for (const double side : {1., -1.})  // which one is up, few points can decide
