@@ -5,6 +5,7 @@ The prefix has been moved since the installation; see conftest.py.
 
 from __future__ import annotations
 
+import gzip
 import os
 import platform
 import re
@@ -80,7 +81,8 @@ def test_what_shells_and_man_read_is_installed(prefix):
     share = prefix / "share"
     assert "complete " in (share / "bash-completion/completions/pcl_emtr").read_text()
     assert (share / "zsh/site-functions/_pcl_emtr").read_text().startswith("#compdef pcl_emtr")
-    assert ".TH PCL_EMTR 1" in (share / "man/man1/pcl_emtr.1").read_text()
+    page = gzip.decompress((share / "man/man1/pcl_emtr.1.gz").read_bytes()).decode()
+    assert ".TH PCL_EMTR 1" in page
 
 
 def test_c_by_cmake(prefix, libdir, tmp_path):
