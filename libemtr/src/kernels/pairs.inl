@@ -18,7 +18,7 @@ struct PairSums {
   Doubles H[21], g[6], tangents[10], weights, squares, squared_influence, slopes, inliers;
 };
 
-/// Moves, rotates: R v, and t if it is given.
+/// Writes R v, to which it adds t where there is one.
 EMTR_INLINE void moved(const PlaneToPlaneView& at, const Doubles v[3], const double* t,
                        Doubles out[3]) {
   for (int a = 0; a < 3; ++a) {

@@ -15,7 +15,7 @@ namespace emtr {
 namespace {
 
 constexpr std::size_t kSlabPoints = 1u << 16;  // a slab and its filter stay in the caches
-constexpr std::uint32_t kAhead = 16;           // points, the places of a layer are all over a block
+constexpr std::uint32_t kAhead = 16;           // points: those of a layer are all over a block
 
 /// The places of one block's finite points, ordered by layer, and where each layer begins.
 struct Block {
