@@ -113,8 +113,7 @@ void plane_to_plane(const PairsView& pairs, const PlaneToPlaneView& at, double* 
   for (std::size_t k = 0; k < kPairSums; ++k) {
     double each[kLanes];
     for (std::size_t l = 0; l < kLanes; ++l) each[l] = lanes[l / kDoubles][k][l % kDoubles];
-    out[k] =
-        ((each[0] + each[4]) + (each[2] + each[6])) + ((each[1] + each[5]) + (each[3] + each[7]));
+    out[k] = total_of_lanes(each);
   }
 }
 

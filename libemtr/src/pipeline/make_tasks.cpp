@@ -78,8 +78,6 @@ SharedSurface surface_of(int side, const Problem& problem) {
   });
 }
 
-bool is_given(const std::optional<Viewpoint>& viewpoint) { return viewpoint && viewpoint->given; }
-
 }  // namespace
 
 Viewpoints find_viewpoints(const Problem& problem) {

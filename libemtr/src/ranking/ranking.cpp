@@ -7,8 +7,6 @@ namespace {
 
 constexpr double kMissWeight = 0.1;
 
-bool is_given(const std::optional<Viewpoint>& viewpoint) { return viewpoint && viewpoint->given; }
-
 SharedSurface oriented(const SharedSurface& surface, const std::optional<Viewpoint>& viewpoint) {
   if (!is_given(viewpoint)) return surface;
   Surface out = *surface;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 namespace emtr {
 
@@ -15,5 +16,10 @@ struct Viewpoint {
     return {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])};
   }
 };
+
+/// Tells whether the user gave the viewpoint.
+inline bool is_given(const std::optional<Viewpoint>& viewpoint) {
+  return viewpoint && viewpoint->given;
+}
 
 }  // namespace emtr

@@ -107,6 +107,10 @@ static void cached(void) {
   CHECK_ERROR(emtr_register_cached(&source, NULL, &target, &first, NULL, NULL, NULL, &result),
               EMTR_ERROR_CLOUD, "source cloud");
   CHECK(result == NULL && first == NULL);
+  target.count = 5; /* of two bad clouds the source is named, whichever is read first */
+  CHECK_ERROR(emtr_register_cached(&source, NULL, &target, &first, NULL, NULL, NULL, &result),
+              EMTR_ERROR_CLOUD, "source cloud");
+  CHECK(result == NULL && first == NULL);
   emtr_preprocessed_free(a);
   emtr_preprocessed_free(b);
   emtr_result_free(plain);
