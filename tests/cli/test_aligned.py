@@ -48,6 +48,36 @@ def moved(T: np.ndarray, points: np.ndarray) -> np.ndarray:
     return points @ T[:3, :3].T + T[:3, 3]
 
 
+BYTE = RNG.integers(0, 255, COUNT, dtype="u1")
+COLOR = {"red": BYTE, "green": BYTE[::-1], "blue": BYTE // 2}
+
+
+@pytest.mark.parametrize(
+    "others",
+    [
+        {},
+        {"nx": NORMALS[:, 0], "ny": NORMALS[:, 1], "nz": NORMALS[:, 2].astype("f8")},
+        COLOR | {"label": RNG.integers(-9, 9, COUNT, dtype="i4")},
+        {"quality": BYTE} | COLOR | {"alpha": BYTE[::-1]},
+        {"red": CURVATURE[:, 0], "green": CURVATURE[:, 1], "blue": CURVATURE[:, 2]},
+        {f"diffuse_{name}": values for name, values in COLOR.items()},
+        {"intensity": BYTE},
+        {f"of_{kind}": BYTE.astype(kind) for kind in ("i1", "u1", "i2", "u2", "i4", "u4", "f8")},
+    ],
+    ids=lambda others: " ".join(others) or "coordinates",
+)
+@pytest.mark.parametrize("dtype", ["f4", "f8"])
+def test_binary_ply_of_either_byte_order(aligned, tmp_path, others, dtype):
+    """PCL reads the one of big-endian numbers, the other is copied: same fields, same bytes."""
+    rows = table(POINTS, dtype, **others)
+    moved_clouds = []
+    for data in ("binary", "big"):
+        cloud_files.write_ply(tmp_path / "a.ply", rows, data=data)
+        path, _ = aligned("a.ply", ".pcd")
+        moved_clouds.append(path.read_bytes())
+    assert moved_clouds[0] == moved_clouds[1]
+
+
 @pytest.mark.parametrize("data", ["ascii", "binary", "binary_compressed"])
 @pytest.mark.parametrize("dtype", ["f4", "f8"])
 def test_pcd_to_pcd(aligned, tmp_path, data, dtype):

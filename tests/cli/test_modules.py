@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import struct
 from pathlib import Path
 
@@ -137,6 +138,20 @@ def test_without_its_module(refused, small, tmp_path, name, kind, option, packag
     message = refused(2, name, "b.pcd", "-o", "T.txt")
     assert f"'{name}': this pcl_emtr was built without a reader for {name[1:]} files" in message
     assert f"-D{option}=ON" in message and package in message
+
+
+def test_of_all_modules_a_plain_ply_needs_none(run, command, tmp_path):
+    """A copy of the command finds libemtr, but not the modules beside the original."""
+    alone = tmp_path / "pcl_emtr"
+    shutil.copy(command, alone)
+    cloud_files.write_ply(tmp_path / "a.ply", POINTS)
+    cloud_files.write_pcd(tmp_path / "a.pcd", POINTS)
+    expected = run("a.ply", "a.ply", *QUICK).stdout
+    assert run("a.ply", "a.ply", *QUICK, executable=alone).stdout == expected != ""
+    done = run("a.pcd", "a.ply", *QUICK, executable=alone)
+    assert done.returncode == 2 and done.stdout == ""
+    assert "the reader and writer of PCD and PLY files" in done.stderr
+    assert "pcl_emtr_pcl.so" in done.stderr and done.stderr.count("\n") == 1
 
 
 @needs_e57

@@ -29,10 +29,8 @@ void ThreadTeam::with(int threads, const std::function<void(ThreadTeam&)>& body)
   {
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     const bool ready = thread == 0 || !new_threads || team.begin();
-    if (new_threads) {
-#pragma omp barrier
-    }
     if (thread == 0) {
+      if (new_threads) team.wait_for_beginners(static_cast<std::size_t>(omp_get_num_threads() - 1));
       opening.begun();
       ThreadTeam* const before = std::exchange(leading, &team);
       try {
@@ -58,10 +56,19 @@ bool ThreadTeam::serves(int threads) const {
 /// fails, that of its thread-local data, ends the process.
 bool ThreadTeam::begin() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  ++begun_;
+  idle_.notify_one();
   if (!room_to_begin()) return false;
   check_cancelled();  // looks at our thread-local data, and this at that of the exceptions
   [[maybe_unused]] const volatile int none = std::uncaught_exceptions();  // else left out: pure
   return true;
+}
+
+/// Sleeps, where a barrier of OpenMP's would spin for milliseconds, on the processor that a new
+/// thread may need.
+void ThreadTeam::wait_for_beginners(std::size_t helpers) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  idle_.wait(lock, [&] { return begun_ == helpers; });
 }
 
 void ThreadTeam::parallel(std::size_t n, const Job& job) {

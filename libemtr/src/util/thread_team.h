@@ -32,7 +32,8 @@ class ThreadTeam {
 
  private:
   explicit ThreadTeam(std::size_t threads) : threads_(threads) {}
-  bool begin();                     ///< takes the memory that a new thread needs, if there is any
+  bool begin();  ///< takes the memory that a new thread needs, if there is any
+  void wait_for_beginners(std::size_t helpers);  ///< until so many threads have
   bool serves(int threads) const;   ///< whether a body that asks for so many can have this team
   void follow(std::size_t thread);  ///< what the helpers do until they are dismissed
   void work(std::size_t thread);
@@ -45,7 +46,8 @@ class ThreadTeam {
   std::mutex mutex_;
   std::condition_variable wake_, idle_;
   const Job* job_ = nullptr;
-  std::size_t size_ = 0;  // of the present piece of work
+  std::size_t begun_ = 0;  // new threads that have taken their memory
+  std::size_t size_ = 0;   // of the present piece of work
   std::atomic<std::size_t> next_{0};
   std::atomic<std::size_t> busy_{0};   // helpers at it
   std::atomic<std::size_t> round_{0};  // pieces of work given out so far

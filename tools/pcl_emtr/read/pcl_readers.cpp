@@ -1,30 +1,25 @@
 #include "read/pcl_readers.h"
 
-#include <pcl/io/pcd_io.h>
-#include <pcl/io/ply_io.h>
-
 #include <exception>
 #include <new>
 
 #include "failure.h"
+#include "modules/pcl_module.h"
 #include "read/format_check.h"
 #include "read/pcd_viewpoint.h"
+#include "read/ply_body.h"
 #include "read/ply_camera.h"
 #include "read/ply_faces.h"
 
 namespace cli {
 namespace {
 
-/// Reads all but the sensor's pose: PCL's is short of digits, and its versions differ in what they
-/// take for one.
-template <class Reader>
-void read(CloudFile& cloud, std::uint64_t points) {
-  Eigen::Vector4f origin;
-  Eigen::Quaternionf orientation;
-  int version = 0;
+using Reader = decltype(PclModule::read_pcd);
+
+void read(CloudFile& cloud, Reader reader, std::uint64_t points) {
   int status = -1;
   try {
-    status = Reader().read(cloud.place, cloud.blob, origin, orientation, version);
+    status = reader(cloud.place, cloud.blob);
   } catch (const std::bad_alloc&) {
     throw FileFailure(cloud.path,
                       "not enough memory for its " + std::to_string(points) + " points");
@@ -41,12 +36,14 @@ void read(CloudFile& cloud, std::uint64_t points) {
 }  // namespace
 
 void read_pcd(CloudFile& cloud) {
-  read<pcl::PCDReader>(cloud, check_pcd(cloud.place, cloud.path));
+  const std::uint64_t points = check_pcd(cloud.place, cloud.path);
+  read(cloud, pcl_module().read_pcd, points);
   read_pcd_viewpoint(cloud);
 }
 
 void read_ply(CloudFile& cloud) {
-  read<pcl::PLYReader>(cloud, check_ply(cloud.place, cloud.path));
+  const std::uint64_t points = check_ply(cloud.place, cloud.path);
+  if (!read_ply_body(cloud)) read(cloud, pcl_module().read_ply, points);
   read_ply_camera(cloud);
   read_ply_faces(cloud);
 }

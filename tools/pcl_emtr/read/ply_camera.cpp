@@ -34,7 +34,7 @@ Values read_binary(std::istream& in, const PlyElement& camera, bool big_endian) 
     std::array<char, 8> bytes{};
     in.read(bytes.data(), static_cast<std::streamsize>(property.bytes));
     if (big_endian) std::reverse(bytes.data(), bytes.data() + property.bytes);
-    if (!property.real) continue;
+    if (!property.is_real()) continue;
     if (property.bytes == 4) {
       float value;
       std::memcpy(&value, bytes.data(), sizeof value);

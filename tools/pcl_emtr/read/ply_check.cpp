@@ -1,3 +1,5 @@
+#include <pcl/PCLPointField.h>
+
 #include <cstddef>
 #include <fstream>
 
@@ -31,7 +33,8 @@ void check_size(const PlyHeader& header, const std::string& path, std::uint64_t 
 std::size_t place_of(const PlyElement& element, const std::string& name) {
   std::size_t place = 0;
   while (place < element.properties.size() &&
-         !(element.properties[place].name == name && element.properties[place].uchar))
+         !(element.properties[place].name == name &&
+           element.properties[place].type == pcl::PCLPointField::UINT8))
     ++place;
   return place;
 }

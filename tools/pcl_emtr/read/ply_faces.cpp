@@ -12,7 +12,7 @@ namespace cli {
 namespace {
 
 bool is_corners(const PlyProperty& property) {
-  return property.count_bytes > 0 && !property.real &&
+  return property.count_bytes > 0 && !property.is_real() &&
          (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 

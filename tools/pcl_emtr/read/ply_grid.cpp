@@ -90,7 +90,7 @@ void check_grid(std::istream& in, const PlyHeader& header, const std::string& pa
   check_size(header, path, vertices);
   const PlyElement* grid = header.find(kGrid);
   if (!grid || grid->count == 0) return;
-  if (grid->properties.size() != 1 || !grid->has_list() || grid->properties[0].real)
+  if (grid->properties.size() != 1 || !grid->has_list() || grid->properties[0].is_real())
     throw FileFailure(path, std::string("its element ") + kGrid +
                                 " has other properties than one list of whole numbers");
   const auto start = in.tellg();

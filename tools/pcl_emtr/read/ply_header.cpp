@@ -1,5 +1,7 @@
 #include "read/ply_header.h"
 
+#include <pcl/common/io.h>
+
 #include <cstddef>
 #include <map>
 
@@ -10,28 +12,35 @@
 namespace cli {
 namespace {
 
-std::size_t bytes_of(std::string_view type, const std::string& path) {
-  static const std::map<std::string_view, std::size_t> sizes = {
-      {"char", 1},  {"uchar", 1},  {"short", 2},   {"ushort", 2}, {"int", 4},   {"uint", 4},
-      {"float", 4}, {"double", 8}, {"int8", 1},    {"uint8", 1},  {"int16", 2}, {"uint16", 2},
-      {"int32", 4}, {"uint32", 4}, {"float32", 4}, {"float64", 8}};
-  const auto found = sizes.find(type);
-  if (found == sizes.end())
-    throw FileFailure(path, "its PLY header has an unknown type '" + shown(type) + "'");
+using Field = pcl::PCLPointField;
+
+std::uint8_t type_of(std::string_view word, const std::string& path) {
+  static const std::map<std::string_view, std::uint8_t> types = {
+      {"char", Field::INT8},      {"int8", Field::INT8},       {"uchar", Field::UINT8},
+      {"uint8", Field::UINT8},    {"short", Field::INT16},     {"int16", Field::INT16},
+      {"ushort", Field::UINT16},  {"uint16", Field::UINT16},   {"int", Field::INT32},
+      {"int32", Field::INT32},    {"uint", Field::UINT32},     {"uint32", Field::UINT32},
+      {"float", Field::FLOAT32},  {"float32", Field::FLOAT32}, {"double", Field::FLOAT64},
+      {"float64", Field::FLOAT64}};
+  const auto found = types.find(word);
+  if (found == types.end())
+    throw FileFailure(path, "its PLY header has an unknown type '" + shown(word) + "'");
   return found->second;
+}
+
+std::size_t bytes_of(std::uint8_t type) {
+  return static_cast<std::size_t>(pcl::getFieldSize(type));
 }
 
 PlyProperty property_of(const std::vector<std::string_view>& words, const std::string& path) {
   PlyProperty property;
   if (words.size() == 5 && words[1] == "list") {
-    property.count_bytes = bytes_of(words[2], path);
+    property.count_bytes = bytes_of(type_of(words[2], path));
   } else if (words.size() != 3) {
     throw FileFailure(path, "its PLY header has a property without type or name");
   }
-  const auto type = words[words.size() - 2];
-  property.bytes = bytes_of(type, path);
-  property.real = type.substr(0, 5) == "float" || type == "double";
-  property.uchar = type == "uchar" || type == "uint8";
+  property.type = type_of(words[words.size() - 2], path);
+  property.bytes = bytes_of(property.type);
   property.name = words.back();
   return property;
 }
@@ -73,6 +82,8 @@ void read_obj_info(PlyHeader& header, const std::string& line,
 }
 
 }  // namespace
+
+bool PlyProperty::is_real() const { return type == Field::FLOAT32 || type == Field::FLOAT64; }
 
 bool PlyElement::has_list() const {
   for (const auto& property : properties)

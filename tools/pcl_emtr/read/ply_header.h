@@ -12,9 +12,10 @@ namespace cli {
 struct PlyProperty {
   std::string name;
   std::size_t bytes = 0;        // size of its value, or of each value of a list
-  bool real = false;            // its type is float or double
-  bool uchar = false;           // its type is uchar
+  std::uint8_t type = 0;        // of the same, as pcl::PCLPointField numbers it
   std::size_t count_bytes = 0;  // size of a list's length, 0 for a single value
+
+  bool is_real() const;  // float or double
 };
 
 struct PlyElement {

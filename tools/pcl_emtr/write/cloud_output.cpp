@@ -1,6 +1,7 @@
 #include "write/cloud_output.h"
 
 #include "failure.h"
+#include "modules/pcl_module.h"
 #include "write/obj_output.h"
 #include "write/pcd_output.h"
 #include "write/ply_output.h"
@@ -19,7 +20,8 @@ bool write_as(const std::string& extension, const CloudFile& cloud, const std::s
 void require_writable_as(const std::string& path, const Format& format, const CloudFile& cloud) {
   const std::string extension = format.extension;
   if (extension == ".ply") require_ply_fields(cloud, path);
-  if (extension == ".obj") require_obj_fields(cloud, path);
+  if (extension == ".obj") return require_obj_fields(cloud, path);
+  pcl_module();  // which may fail, so before the long computation
 }
 
 void write_cloud(const CloudFile& cloud, const Format& format, const std::string& path,

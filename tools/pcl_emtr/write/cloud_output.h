@@ -7,7 +7,7 @@
 namespace cli {
 
 /// Throws FileFailure about `path` when the format cannot hold one of the fields of the cloud, or
-/// of the vertices of a mesh whose faces it keeps.
+/// of the vertices of a mesh whose faces it keeps; Failure when its writer cannot be loaded.
 void require_writable_as(const std::string& path, const Format& format, const CloudFile& cloud);
 
 /// Writes a binary PCD, a binary PLY or an OBJ to the file `temporary`. Throws FileFailure about

@@ -1,11 +1,10 @@
 #include "write/pcd_output.h"
 
-#include <pcl/io/pcd_io.h>
-
 #include <cstddef>
 #include <fstream>
 #include <sstream>
 
+#include "modules/pcl_module.h"
 #include "write/sensor_pose.h"
 
 namespace cli {
@@ -27,8 +26,7 @@ std::string viewpoint_line(const CloudFile& cloud) {
 }  // namespace
 
 bool write_pcd(const CloudFile& cloud, const std::string& path) {
-  std::string header =
-      pcl::PCDWriter().generateHeaderBinary(cloud.blob, origin_of(cloud), orientation_of(cloud));
+  std::string header = pcl_module().pcd_header(cloud.blob, origin_of(cloud), orientation_of(cloud));
   const std::size_t begin = header.find("\nVIEWPOINT") + 1;  // a field may be called VIEWPOINT too
   header.replace(begin, header.find('\n', begin) - begin, viewpoint_line(cloud));
   std::ofstream out(path, std::ios::binary);

@@ -1,7 +1,6 @@
 #include "write/ply_output.h"
 
 #include <pcl/common/io.h>
-#include <pcl/io/ply_io.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -11,6 +10,7 @@
 
 #include "failure.h"
 #include "files/spool.h"
+#include "modules/pcl_module.h"
 #include "text/words.h"
 #include "write/ply_face_output.h"
 #include "write/sensor_pose.h"
@@ -88,15 +88,12 @@ namespace {
 
 bool write_vertices(const CloudFile& cloud, const std::string& path) {
   const pcl::PCLPointCloud2 blob = ply_blob(cloud);
-  pcl::PLYWriter writer;
   const auto origin = origin_of(cloud);
   const auto orientation = orientation_of(cloud);
-  if (writer.writeBinary(path, blob, origin, orientation, true) != 0) return false;
+  if (pcl_module().write_ply(path, blob, origin, orientation) != 0) return false;
   std::size_t row = 0;
   for (const auto& field : blob.fields) row += ply_bytes(field);
-  const std::size_t header =
-      writer.generateHeaderBinary(blob, origin, orientation, static_cast<int>(cloud.size()), true)
-          .size();
+  const std::size_t header = pcl_module().ply_header(blob, origin, orientation).size();
   return std::filesystem::file_size(path) == header + row * cloud.size() + kCameraBytes;
 }
 
