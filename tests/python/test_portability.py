@@ -175,6 +175,25 @@ def test_what_is_no_chroot_of_ours_is_not_removed(monkeypatch, tmp_path, capsys)
     assert (tmp_path / "trixie" / "thesis.txt").is_file()
 
 
+def test_a_chroot_that_was_not_finished_is_made_anew(monkeypatch, tmp_path) -> None:
+    chroot = Chroot(tmp_path, "trixie")
+    monkeypatch.setattr(Chroot, "_require_means", lambda self: None)
+
+    def install(self, wanted, mirror, out) -> None:
+        self.root.mkdir()
+        (self.root / "part").touch()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Chroot, "_install", install)
+    for _ in range(2):  # the second finds what the first has left
+        with pytest.raises(KeyboardInterrupt):
+            chroot.make("mirror", reuse=False)
+    monkeypatch.setattr(Chroot, "_install", lambda self, *_: self.root.mkdir())
+    chroot.make("mirror", reuse=False)
+    assert [path.name for path in chroot.root.iterdir()] == ["made-by-tools-portability"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["trixie", "trixie.log"]
+
+
 @pytest.mark.parametrize(
     ("root", "missing", "named"), [(False, "", "needs root"), (True, "debootstrap", "apt-get")]
 )

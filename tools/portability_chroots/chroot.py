@@ -59,17 +59,19 @@ class Chroot:
     def make(self, mirror: str, reuse: bool) -> None:
         """Makes the chroot with its packages. Raises ChrootFailure."""
         mark = self.root / MARK
+        begun = self.folder / f"{self.name}.begun"  # left by a run that was stopped on the way
         wanted = self.packages()
         if reuse and mark.is_file() and mark.read_text().split() == wanted:
             return
         self._require_means()
         if self.root.exists():
             kept = reuse and not self.architecture
-            if any(self.root.iterdir()) and not (mark.is_file() or kept):
+            if any(self.root.iterdir()) and not (mark.is_file() or begun.is_file() or kept):
                 raise ChrootFailure(f"{self.root}: made by something else, and not removed")
             if not kept:
                 shutil.rmtree(self.root)
         self.folder.mkdir(parents=True, exist_ok=True)
+        begun.touch()
         log = self.folder / f"{self.name}.log"
         with log.open("w") as out:
             if self.architecture:
@@ -78,6 +80,7 @@ class Chroot:
             else:
                 self._install(wanted, mirror, out)
         mark.write_text("\n".join(wanted))
+        begun.unlink()
 
     def _install(self, wanted: list[str], mirror: str, out) -> None:
         if not (self.root / "etc/debian_version").is_file():
