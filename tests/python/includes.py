@@ -1,4 +1,4 @@
-"""Which headers of the C++ standard library a source needs by the names in it, and which it lacks.
+"""Which headers of the C++ standard library and of Eigen a source needs by its names, and lacks.
 
 Compilers differ in what one standard header includes of another: a file that names std::int32_t
 without <cstdint> compiles with one of them and not with the next. A name counts as declared if the
@@ -61,6 +61,10 @@ NAMES = {
     "variant": r"variant visit get_if monostate",
     "vector": "vector",
 }  # fmt: skip
+# Eigen's core declares these, which is enough for some versions and not for others. PCL's headers
+# bring all of Eigen.
+GEOMETRY = re.compile(r"[\w)]\.(?:cross|unitOrthogonal)\(|\bEigen::(?:AngleAxis|Quaternion)")
+HAVE_GEOMETRY = {"Eigen/Geometry", "Eigen/Dense", "Eigen/Eigenvalues"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -100,7 +104,7 @@ def included(path: Path, roots: Sequence[Path]) -> set[str]:
 
 
 def missing(path: Path, roots: Sequence[Path]) -> Iterator[str]:
-    """The standard headers that the file needs and does not get from itself or files of ours."""
+    """The headers that the file needs and does not get from itself or files of ours."""
     text = code(path.read_text())
     have = included(path, roots)
     for header in NAMES:
@@ -108,3 +112,6 @@ def missing(path: Path, roots: Sequence[Path]) -> Iterator[str]:
             c = f"{header[1:]}.h" if header.startswith("c") else header
             if c not in have:
                 yield f"{path}: {use[0]} needs <{header}>"
+    by_pcl = any(name.startswith("pcl/") for name in have)
+    if not (by_pcl or HAVE_GEOMETRY & have) and (use := GEOMETRY.search(text)):
+        yield f"{path}: {use[0]} needs <Eigen/Geometry>"

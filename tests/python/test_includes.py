@@ -1,4 +1,4 @@
-"""Every C++ file gets the standard headers that it needs from itself or from files of ours."""
+"""Every C++ file gets the headers that it needs from itself or from files of ours."""
 
 from __future__ import annotations
 
@@ -44,6 +44,17 @@ def test_a_missing_header_is_named(tmp_path: Path, text: str, header: str) -> No
     assert line.startswith(f"{path}: std::") and line.endswith(f"needs <{header}>")
     path.write_text(f"#include <{header}>\n{text}")
     assert list(includes.missing(path, [])) == []
+
+
+@pytest.mark.parametrize("text", ["auto c = a.cross(b);", "Eigen::Quaterniond q;"])
+def test_the_core_of_eigen_is_not_its_geometry(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "a.cpp"
+    path.write_text(f"#include <Eigen/Core>\n{text}")
+    (line,) = includes.missing(path, [])
+    assert line.endswith("needs <Eigen/Geometry>")
+    for header in ("Eigen/Geometry", "pcl/point_types.h"):
+        path.write_text(f"#include <{header}>\n{text}")
+        assert list(includes.missing(path, [])) == []
 
 
 @pytest.mark.parametrize(
