@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import sys
 from pathlib import Path
 
 from wheel_build.run import Failure, run
@@ -11,6 +12,7 @@ from wheel_build.run import Failure, run
 from .archive import Archive
 
 HELPERS = Path(__file__).with_name("vcpkg_stand_ins.cmake")
+SAMPLE_PAIR = Path(__file__).parents[1] / "sample_pair.py"
 CONSUMER = "tests/consumers/class"
 
 
@@ -48,10 +50,13 @@ def unpacked(archive: Archive, folder: Path) -> Path:
 
 
 def use(name: str, archive: Archive, source: Path, prefix: Path, command: Path) -> None:
-    """Runs the command, and builds and runs a program that finds the library in the prefix."""
+    """Registers by the command, and builds and runs a program that finds the library there."""
     said = run(command, "--version")
     if archive.version not in said:
         raise Failure(f"{command} --version: expected {archive.version}, got {said.strip()!r}")
+    pair = prefix.parent / "pair"
+    run(sys.executable, SAMPLE_PAIR, "--out", pair)
+    run(command, pair / "source.pcd", pair / "target.pcd", "-o", pair / "T.txt")
     build = prefix.parent / "consumer"
     run("cmake", "-S", source / CONSUMER, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}")
     run("cmake", "--build", build)

@@ -1,4 +1,4 @@
-// Gives the readers PCL without loading it, so that a fuzz target is one program.
+// In place of load_pcl_module.cpp where the module is a part of the program.
 
 #include "modules/pcl_module.h"
 
