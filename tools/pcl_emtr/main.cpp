@@ -1,6 +1,8 @@
 // pcl_emtr: global registration of two point cloud files by EMTR-SSC.
 
+#if __has_include(<malloc.h>)
 #include <malloc.h>
+#endif
 #include <pcl/console/print.h>
 
 #include <cstdio>
