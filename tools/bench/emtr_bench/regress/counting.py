@@ -30,6 +30,7 @@ def count(program: Program, build: Path, sample: Path) -> Count:
     with tempfile.NamedTemporaryFile(prefix="regress-") as profile:
         _run(
             ["valgrind", "--tool=callgrind", "--toggle-collect=main",
+             "--toggle-collect=cli::pcl_module*",  # in main: not counted, since it loads libraries
              f"--callgrind-out-file={profile.name}", *program.command(build, sample)],
             program,
         )  # fmt: skip
