@@ -1,5 +1,7 @@
 #include "read/blob.h"
 
+#include <pcl/common/io.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -7,17 +9,19 @@
 
 namespace cli {
 
+void add_field(pcl::PCLPointCloud2& blob, const std::string& name, std::uint8_t type) {
+  pcl::PCLPointField field;
+  field.name = name;
+  field.offset = blob.point_step;
+  field.datatype = type;
+  field.count = 1;
+  blob.fields.push_back(field);
+  blob.point_step += static_cast<std::uint32_t>(pcl::getFieldSize(type));
+}
+
 pcl::PCLPointCloud2 doubles_blob(const std::vector<std::string>& names) {
   pcl::PCLPointCloud2 blob;
-  for (const std::string& name : names) {
-    pcl::PCLPointField field;
-    field.name = name;
-    field.offset = blob.point_step;
-    field.datatype = pcl::PCLPointField::FLOAT64;
-    field.count = 1;
-    blob.fields.push_back(field);
-    blob.point_step += static_cast<std::uint32_t>(sizeof(double));
-  }
+  for (const std::string& name : names) add_field(blob, name, pcl::PCLPointField::FLOAT64);
   return blob;
 }
 

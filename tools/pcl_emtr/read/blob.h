@@ -3,14 +3,18 @@
 #include <pcl/PCLPointCloud2.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace cli {
 
-// How a reader of our own builds a cloud whose fields are all of doubles.
+// How a reader of our own builds a cloud.
 
-/// Returns a cloud of these fields and no points.
+/// Adds a field of one value of the type, as pcl::PCLPointField numbers it, behind the others.
+void add_field(pcl::PCLPointCloud2& blob, const std::string& name, std::uint8_t type);
+
+/// Returns a cloud of these fields, all of doubles, and no points.
 pcl::PCLPointCloud2 doubles_blob(const std::vector<std::string>& names);
 
 /// Makes room for the points, so that adding them does not take twice the memory.

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <string>
 #include <utility>
 
 #include "failure.h"
+#include "read/blob.h"
 #include "read/ply_header.h"
 
 namespace cli {
@@ -31,17 +33,6 @@ std::string field_name(const std::string& name) {
   return normal ? std::string("normal_") + name.back() : name;
 }
 
-void add_field(pcl::PCLPointCloud2& blob, const std::string& name, std::uint8_t type,
-               std::size_t bytes) {
-  Field field;
-  field.name = name;
-  field.offset = blob.point_step;
-  field.datatype = type;
-  field.count = 1;
-  blob.fields.push_back(field);
-  blob.point_step += static_cast<std::uint32_t>(bytes);
-}
-
 /// Three or four bytes of color that follow each other; PCL packs them into one field.
 struct Color {
   std::size_t offset = 0;  // of red, in a row of the file and in a point of the cloud
@@ -56,13 +47,13 @@ Color add_fields(pcl::PCLPointCloud2& blob, const PlyElement& vertex) {
     };
     if (is_byte("red")) {
       color = {blob.point_step, 3};
-      add_field(blob, "rgb", Field::FLOAT32, 4);
+      add_field(blob, "rgb", Field::FLOAT32);
     } else if (is_byte("alpha")) {
       color.bytes = 4;
       blob.fields.back().name = "rgba";
       blob.fields.back().datatype = Field::UINT32;
     } else if (!is_byte("green") && !is_byte("blue")) {
-      add_field(blob, field_name(property.name), property.type, property.bytes);
+      add_field(blob, field_name(property.name), property.type);
     }
   }
   return color;
@@ -75,11 +66,12 @@ void pack_colors(pcl::PCLPointCloud2& blob, std::size_t row_bytes, const Color& 
   for (std::size_t i = blob.width; i-- > 0;) {
     const std::uint8_t* row = &blob.data[i * row_bytes];
     std::uint8_t* point = &blob.data[i * blob.point_step];
-    const std::uint8_t rgba[4] = {row[color.offset], row[color.offset + 1], row[color.offset + 2],
-                                  color.bytes == 4 ? row[color.offset + 3] : std::uint8_t{0}};
-    std::copy_backward(row + after, row + row_bytes, point + blob.point_step);
-    std::copy_backward(row, row + color.offset, point + color.offset);
-    for (std::size_t k = 0; k < 4; ++k) point[color.offset + k] = rgba[k == 3 ? 3 : 2 - k];
+    const std::uint8_t* red = row + color.offset;
+    const std::uint8_t packed[4] = {red[2], red[1], red[0],
+                                    color.bytes == 4 ? red[3] : std::uint8_t{0}};
+    std::memmove(point + color.offset + 4, row + after, row_bytes - after);
+    std::memmove(point, row, color.offset);
+    std::memcpy(point + color.offset, packed, sizeof packed);
   }
 }
 
@@ -93,11 +85,8 @@ bool read_ply_body(CloudFile& cloud) {
   pcl::PCLPointCloud2 blob;
   const Color color = add_fields(blob, vertex);
   const auto row_bytes = static_cast<std::size_t>(vertex.least_bytes());
-  blob.width = static_cast<std::uint32_t>(vertex.count);
-  blob.height = 1;
-  blob.row_step = blob.point_step * blob.width;
-  blob.is_dense = true;  // as PCL says of each PLY file
-  blob.data.resize(std::size_t{blob.point_step} * blob.width);
+  blob.data.resize(blob.point_step * vertex.count);
+  finish_blob(blob, cloud.path, "vertices");
   in.read(reinterpret_cast<char*>(blob.data.data()),
           static_cast<std::streamsize>(row_bytes * blob.width));
   if (!in) throw FileFailure(cloud.path, "cannot be read: truncated");
